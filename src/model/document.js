@@ -1,0 +1,112 @@
+/**
+ * The document: everything that is saved, shared and undone, as a person typed it, in the units the document declares.
+ * Plain frozen data: no methods, nothing that can be derived. What the arm is (`robot`) and where it is (`posture`)
+ * stay apart, so that jogging compiles nothing.
+ *
+ * @typedef {'mm' | 'cm' | 'm'} LengthUnit
+ * @typedef {'deg' | 'rad'} AngleUnit
+ * @typedef {{ readonly length: LengthUnit, readonly angle: AngleUnit }} Units
+ * @typedef {'standard' | 'modified'} Convention
+ * @typedef {'revolute' | 'prismatic' | 'continuous'} JointType
+ *
+ * @typedef {object} PoseDoc            a constant frame, seen from its parent
+ * @property {readonly number[]} xyz    3 lengths
+ * @property {readonly number[]} [rpy]  3 angles: R = Rz(rpy[2]) · Ry(rpy[1]) · Rx(rpy[0]), as URDF
+ * @property {readonly number[]} [quaternion]  x y z w, instead of `rpy`; never both
+ *
+ * @typedef {object} LinkDoc   how the link that the joint moves is drawn
+ * @property {'auto' | 'cylinder' | 'box' | 'none'} kind
+ * @property {number} [radius]
+ * @property {number} [width]
+ * @property {number} [height]
+ * @property {string} [color]  '#rrggbb'
+ *
+ * @typedef {object} ControllerDoc  pendant value = sign · q + offset + coupling · (pendant value of joint `coupledTo`)
+ * @property {1 | -1} sign
+ * @property {number} offset
+ * @property {string} [coupledTo]   the id of another joint
+ * @property {number} coupling
+ *
+ * @typedef {object} JointDoc
+ * @property {string} id       unique in the robot: [A-Za-z_][A-Za-z0-9_]{0,63}
+ * @property {string} [label]
+ * @property {JointType} type
+ * @property {number} theta    joint angle; the constant part if the joint turns
+ * @property {number} d        link offset; the constant part if the joint slides
+ * @property {number} a        link length
+ * @property {number} alpha    link twist
+ * @property {number} [lower]  joint value, absent where unlimited
+ * @property {number} [upper]
+ * @property {number} [home]
+ * @property {number} [velocity]      joint rate limit, per second; likewise the next two
+ * @property {number} [acceleration]
+ * @property {number} [jerk]
+ * @property {number} [effort]        N or N m
+ * @property {Partial<Record<DhField, string>>} [text]  what was typed, where it was an expression
+ * @property {LinkDoc} link
+ * @property {ControllerDoc} controller
+ *
+ * @typedef {object} RobotInfo
+ * @property {string} [manufacturer]
+ * @property {string} [author]
+ * @property {string} [licence]
+ * @property {string} [source]
+ * @property {string} [description]
+ *
+ * @typedef {object} RobotDoc
+ * @property {string} name
+ * @property {RobotInfo} info
+ * @property {Units} units
+ * @property {Convention} convention
+ * @property {PoseDoc} base    frame 0 seen from the world
+ * @property {PoseDoc} tool    the TCP seen from the flange
+ * @property {readonly JointDoc[]} joints  2 to 6 of them
+ *
+ * @typedef {{ readonly id: string, readonly q: readonly number[] }} PostureDoc  a recorded posture
+ * @typedef {PoseDoc & { readonly kind: 'user' | 'tool', readonly id: string, readonly number?: number }} FrameDoc
+ * @typedef {{ readonly id: string, readonly language: 'karel' | 'fanuc-tp' | 'krl', readonly text: string }} ProgramDoc
+ *
+ * @typedef {object} Doc
+ * @property {RobotDoc} robot
+ * @property {readonly number[]} posture              a joint value for each joint
+ * @property {readonly PostureDoc[]} postures         recorded, in the order they are visited
+ * @property {readonly FrameDoc[]} frames             kept for controllers; not yet used here
+ * @property {readonly ProgramDoc[]} programs         kept; not yet used here
+ * @property {readonly string[]} extensions           foreign XML elements of the file it came from, as text
+ *
+ * @typedef {'theta' | 'd' | 'a' | 'alpha'} DhField
+ * @typedef {DhField | 'lower' | 'upper' | 'home'} JointField
+ */
+
+export const MIN_JOINTS = 2;
+export const MAX_JOINTS = 6;
+export const MAX_POSTURES = 999; // the file's limit of 1000 less the one that keeps where the arm stands
+
+/** @type {readonly DhField[]} */
+export const DH_FIELDS = ['theta', 'd', 'a', 'alpha'];
+
+/** @param {{ readonly type: JointType }} joint */
+export const isSliding = ({ type }) => type === 'prismatic';
+
+/**
+ * Whether a field of a joint is a length or an angle. Limits and home follow the joint: a slide's are lengths.
+ * @param {JointDoc} joint
+ * @param {JointField} field
+ * @returns {'length' | 'angle'}
+ */
+export function quantityOf(joint, field) {
+  if (field === 'a' || field === 'd') return 'length';
+  if (field === 'theta' || field === 'alpha') return 'angle';
+  return isSliding(joint) ? 'length' : 'angle';
+}
+
+/** @returns {PoseDoc} */
+export const identityPose = () => ({ xyz: [0, 0, 0], rpy: [0, 0, 0] });
+
+/**
+ * Where an arm stands before anyone moved it: home, or else zero brought inside the limits.
+ * @param {RobotDoc} robot
+ * @returns {number[]}
+ */
+export const homePosture = ({ joints }) =>
+  joints.map(({ home, lower = -Infinity, upper = Infinity }) => home ?? Math.min(upper, Math.max(lower, 0)));

@@ -1,0 +1,70 @@
+/**
+ * Every way the document can change, as plain data and one pure function. `refusal` says beforehand, in a sentence,
+ * why a command cannot be carried out; the panels ask it, so that the document in the store is always valid.
+ *
+ * @import { Doc, JointField } from './document.js'
+ *
+ * @typedef {{ type: 'set-joint-field', joint: number, field: JointField, value: number }
+ *   | { type: 'set-joint-value', joint: number, value: number }
+ *   | { type: 'set-posture', posture: readonly number[] }
+ *   | { type: 'record-posture' }
+ *   | { type: 'rename-posture', index: number, id: string }
+ *   | { type: 'remove-posture', index: number }
+ *   | { type: 'replace-document', doc: Doc }} Command
+ */
+import { refusal } from './refusals.js';
+
+/**
+ * @param {Doc} doc
+ * @param {Command} command
+ * @returns {Doc} the same object when nothing changed
+ * @throws {RangeError} when `refusal` has something against it
+ */
+export function applyCommand(doc, command) {
+  const reason = refusal(doc, command);
+  if (reason) throw new RangeError(reason.message);
+  const { robot, posture, postures } = doc;
+  switch (command.type) {
+    case 'set-joint-field': {
+      const { joint, field, value } = command;
+      const old = robot.joints[joint];
+      if (Object.is(old[field], value)) return doc;
+      return { ...doc, robot: { ...robot, joints: robot.joints.with(joint, { ...old, [field]: value }) } };
+    }
+    case 'set-joint-value':
+      return posture[command.joint] === command.value
+        ? doc
+        : { ...doc, posture: posture.with(command.joint, command.value) };
+    case 'set-posture':
+      return posture.every((value, i) => value === command.posture[i])
+        ? doc
+        : { ...doc, posture: [...command.posture] };
+    case 'record-posture':
+      return { ...doc, postures: [...postures, { id: freePostureId(doc), q: posture }] };
+    case 'rename-posture': {
+      const old = postures[command.index];
+      return old.id === command.id
+        ? doc
+        : { ...doc, postures: postures.with(command.index, { ...old, id: command.id }) };
+    }
+    case 'remove-posture':
+      return { ...doc, postures: postures.toSpliced(command.index, 1) };
+    case 'replace-document':
+      return command.doc;
+    default:
+      return assertNever(command);
+  }
+}
+
+/** The first of p1, p2, … that no recorded posture has. @param {Doc} doc */
+function freePostureId({ postures }) {
+  const taken = new Set(postures.map(({ id }) => id));
+  let number = 1;
+  while (taken.has(`p${number}`)) number++;
+  return `p${number}`;
+}
+
+/** @param {never} value @returns {never} */
+function assertNever(value) {
+  throw new TypeError(`Unknown command: ${JSON.stringify(value)}`);
+}

@@ -1,0 +1,104 @@
+/**
+ * Why a command cannot be carried out on a document, as an issue with one sentence, or null when it can.
+ *
+ * @import { Command } from './commands.js'
+ * @import { Doc, JointField } from './document.js'
+ * @import { Issue } from './issues.js'
+ */
+import { DH_FIELDS, MAX_POSTURES } from './document.js';
+
+/** What a robot file can hold, and far beyond any arm in any unit. */
+export const LARGEST_NUMBER = 1e9;
+
+/** @type {readonly JointField[]} */
+const FIELDS = [...DH_FIELDS, 'lower', 'upper', 'home'];
+const ID = /^[A-Za-z_][A-Za-z0-9_]{0,63}$/;
+
+/**
+ * @param {Doc} doc
+ * @param {Command} command
+ * @returns {Issue | null}
+ */
+export function refusal(doc, command) {
+  const { robot, posture, postures } = doc;
+  switch (command.type) {
+    case 'set-joint-field':
+      return (
+        badIndex('joint', command.joint, robot.joints.length) ??
+        badField(command.field) ??
+        badNumber(command.field, command.value) ??
+        crossedLimits(doc, command)
+      );
+    case 'set-joint-value':
+      return badIndex('joint', command.joint, posture.length) ?? badNumber('joint value', command.value);
+    case 'set-posture': {
+      if (!Array.isArray(command.posture) || command.posture.length !== posture.length) {
+        const came = Array.isArray(command.posture) ? command.posture.length : shown(command.posture);
+        return issue('posture-length', 'posture', `Expected ${posture.length} joint values, got ${came}.`);
+      }
+      return command.posture.reduce(
+        (found, value) => found ?? badNumber('joint value', value),
+        /** @type {Issue | null} */ (null),
+      );
+    }
+    case 'record-posture':
+      if (postures.length < MAX_POSTURES) return null;
+      return issue('too-many-postures', 'postures', `A model keeps at most ${MAX_POSTURES} recorded postures.`);
+    case 'rename-posture':
+      return badIndex('posture', command.index, postures.length) ?? badPostureId(doc, command);
+    case 'remove-posture':
+      return badIndex('posture', command.index, postures.length);
+    default:
+      return null;
+  }
+}
+
+/** @param {string} code @param {string} path @param {string} message @returns {Issue} */
+const issue = (code, path, message) => ({ severity: 'error', code, path, message });
+
+const shown = (/** @type {unknown} */ value) => (typeof value === 'string' ? `"${value}"` : String(value));
+
+/** @param {'joint' | 'posture'} what @param {number} index @param {number} count */
+function badIndex(what, index, count) {
+  if (Number.isInteger(index) && index >= 0 && index < count) return null;
+  return issue('index', what, `Expected a ${what} index from 0 to ${count - 1}, got ${shown(index)}.`);
+}
+
+/** @param {string} field */
+function badField(field) {
+  if (FIELDS.some((known) => known === field)) return null;
+  return issue('field', 'robot.joints', `Expected one of ${FIELDS.join(', ')}, got ${shown(field)}.`);
+}
+
+/** @param {string} what @param {number} value */
+function badNumber(what, value) {
+  if (Number.isFinite(value) && Math.abs(value) <= LARGEST_NUMBER) return null;
+  return issue('number', what, `Expected a ${what} between −10⁹ and 10⁹, got ${shown(value)}.`);
+}
+
+/** @param {Doc} doc @param {Extract<Command, { type: 'set-joint-field' }>} command */
+function crossedLimits({ robot }, { joint, field, value }) {
+  const { lower = -Infinity, upper = Infinity } = { ...robot.joints[joint], [field]: value };
+  if (lower <= upper) return null;
+  const message =
+    field === 'lower'
+      ? `The lower limit must not be above the upper one, ${upper}.`
+      : `The upper limit must not be below the lower one, ${lower}.`;
+  return issue('limits-crossed', `robot.joints.${joint}.${field}`, message);
+}
+
+/** @param {Doc} doc @param {Extract<Command, { type: 'rename-posture' }>} command */
+function badPostureId({ postures }, { index, id }) {
+  const path = `postures.${index}.id`;
+  if (!ID.test(id) || id === 'current') {
+    return issue(
+      'id',
+      path,
+      'A name is a letter or _, then at most 63 letters, digits or _, and not the word "current".',
+    );
+  }
+  if (postures.some((other, i) => i !== index && other.id === id)) {
+    return issue('id-taken', path, `Another posture is called "${id}" already.`);
+  }
+  return null;
+}

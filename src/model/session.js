@@ -1,0 +1,76 @@
+/**
+ * The state of the page: the history of documents, which is saved and undone, and the session, which is neither
+ * (what is selected, held, open or aimed at).
+ *
+ * @import { Doc, JointField } from './document.js'
+ * @import { Command } from './commands.js'
+ * @import { History } from './history.js'
+ * @import { AimAnswer } from './aim.js'
+ *
+ * @typedef {'robot' | 'jog' | 'aim' | 'program' | 'code'} Panel
+ *
+ * @typedef {object} Session
+ * @property {Panel} panel      the one that is open, where the screen has room for one only
+ * @property {{ readonly joint: number, readonly field: JointField } | null} cell  of the DH table, being edited
+ * @property {number | null} heldJoint  the joint whose slider is in the hand
+ * @property {readonly number[] | null} target  X Y Z W P R in document units; null while it follows the tool
+ * @property {AimAnswer | null} answer  what inverse kinematics said to the target
+ *
+ * @typedef {History & { readonly session: Session }} AppState
+ *
+ * @typedef {(Command & { gesture?: string })
+ *   | { type: 'undo' } | { type: 'redo' } | { type: 'end-gesture' } | { type: 'cancel-gesture' }
+ *   | { type: 'show', change: Partial<Session> }} Action
+ */
+import { applyCommand } from './commands.js';
+import { cancelGesture, endGesture, record, redo, startHistory, undo } from './history.js';
+
+/** @type {Session} */
+const FRESH = { panel: 'jog', cell: null, heldJoint: null, target: null, answer: null };
+
+/** @param {Doc} doc @param {Partial<Session>} [session] @returns {AppState} */
+export const startState = (doc, session = {}) => ({ ...startHistory(doc), session: { ...FRESH, ...session } });
+
+/**
+ * @param {AppState} state
+ * @param {Action} action
+ * @returns {AppState} the same object when nothing changed
+ * @throws {RangeError} when a command is refused (see refusals.js)
+ */
+export function reduce(state, action) {
+  const { session, ...history } = state;
+  switch (action.type) {
+    case 'undo':
+      return settle(state, history, undo(history));
+    case 'redo':
+      return settle(state, history, redo(history));
+    case 'end-gesture':
+      return settle(state, history, endGesture(history));
+    case 'cancel-gesture':
+      return settle(state, history, cancelGesture(history));
+    case 'show': {
+      const keys = /** @type {(keyof Session)[]} */ (Object.keys(action.change));
+      if (keys.every((key) => Object.is(session[key], action.change[key]))) return state;
+      return { ...state, session: { ...session, ...action.change } };
+    }
+    default:
+      return settle(state, history, record(history, applyCommand(state.doc, action), action.gesture));
+  }
+}
+
+/**
+ * A session speaks of a document's joints in a document's units; what no longer makes sense is let go.
+ * @param {AppState} state
+ * @param {History} history
+ * @param {History} next  `history` itself when nothing changed
+ * @returns {AppState}
+ */
+function settle(state, history, next) {
+  if (next === history) return state;
+  const { session } = state;
+  const { robot } = next.doc;
+  const old = history.doc.robot;
+  if (robot === old) return { ...next, session };
+  const sameShape = robot.joints.length === old.joints.length && robot.units === old.units && robot.name === old.name;
+  return { ...next, session: sameShape ? { ...session, answer: null } : { ...FRESH, panel: session.panel } };
+}

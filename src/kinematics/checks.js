@@ -1,0 +1,25 @@
+/**
+ * Wrong calls, told apart from impossible wishes: these throw.
+ * @import { Chain } from './chain.js'
+ */
+
+/**
+ * @param {Chain} chain
+ * @param {ArrayLike<number>} q
+ */
+export function requirePosture({ dof }, q) {
+  if (q === null || typeof q !== 'object') throw new TypeError(`Expected ${dof} joint values, got ${typeof q}.`);
+  if (q.length !== dof) throw new RangeError(`Expected ${dof} joint values, got ${q.length}.`);
+  for (let i = 0; i < dof; i++) {
+    if (!Number.isFinite(q[i]))
+      throw new RangeError(`Expected joint value ${i + 1} to be a finite number, got ${q[i]}.`);
+  }
+}
+
+/**
+ * @param {ArrayLike<number>} out
+ * @param {number} length
+ */
+export function requireRoom(out, length) {
+  if (out.length !== length) throw new RangeError(`Expected room for ${length} numbers, got ${out.length}.`);
+}

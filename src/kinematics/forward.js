@@ -1,0 +1,165 @@
+/**
+ * Forward kinematics: where a posture puts the tool and every link. Allocates nothing when `out` is given.
+ * @import { Chain } from './chain.js'
+ * @import { Packed } from './packed.js'
+ * @import { Pose } from './pose.js'
+ */
+import { requirePosture, requireRoom } from './checks.js';
+import { COS_THETA, COS_TWIST, LENGTH, OFFSET, ROW, SIN_THETA, SIN_TWIST, SLIDES } from './packed.js';
+import { compose } from './pose.js';
+
+/**
+ * T_base_tcp, tool included, seen from the chain's root. Checks nothing: for loops that have checked before.
+ * @param {Packed} packed
+ * @param {ArrayLike<number>} q
+ * @param {Pose} out
+ * @returns {Pose}
+ */
+export function writeTcpPose({ start, rows, tool, hasTool }, q, out) {
+  let x0 = start[0];
+  let x1 = start[1];
+  let x2 = start[2];
+  let y0 = start[4];
+  let y1 = start[5];
+  let y2 = start[6];
+  let z0 = start[8];
+  let z1 = start[9];
+  let z2 = start[10];
+  let p0 = start[12];
+  let p1 = start[13];
+  let p2 = start[14];
+  for (let i = 0, at = 0; at < rows.length; i++, at += ROW) {
+    let cos = rows[at + COS_THETA];
+    let sin = rows[at + SIN_THETA];
+    let d = rows[at + OFFSET];
+    if (rows[at + SLIDES] === 1) {
+      d += q[i];
+    } else {
+      const c = Math.cos(q[i]);
+      const s = Math.sin(q[i]);
+      const turned = cos * c - sin * s;
+      sin = sin * c + cos * s;
+      cos = turned;
+    }
+    // Rz(θ), then the step d along z and a along the new x, then Rx(α)
+    const a = rows[at + LENGTH];
+    const ca = rows[at + COS_TWIST];
+    const sa = rows[at + SIN_TWIST];
+    const u0 = cos * x0 + sin * y0;
+    const u1 = cos * x1 + sin * y1;
+    const u2 = cos * x2 + sin * y2;
+    const v0 = cos * y0 - sin * x0;
+    const v1 = cos * y1 - sin * x1;
+    const v2 = cos * y2 - sin * x2;
+    p0 += a * u0 + d * z0;
+    p1 += a * u1 + d * z1;
+    p2 += a * u2 + d * z2;
+    x0 = u0;
+    x1 = u1;
+    x2 = u2;
+    y0 = ca * v0 + sa * z0;
+    y1 = ca * v1 + sa * z1;
+    y2 = ca * v2 + sa * z2;
+    z0 = ca * z0 - sa * v0;
+    z1 = ca * z1 - sa * v1;
+    z2 = ca * z2 - sa * v2;
+  }
+  out[0] = x0;
+  out[1] = x1;
+  out[2] = x2;
+  out[3] = 0;
+  out[4] = y0;
+  out[5] = y1;
+  out[6] = y2;
+  out[7] = 0;
+  out[8] = z0;
+  out[9] = z1;
+  out[10] = z2;
+  out[11] = 0;
+  out[12] = p0;
+  out[13] = p1;
+  out[14] = p2;
+  out[15] = 1;
+  return hasTool ? compose(out, tool, out) : out;
+}
+
+/**
+ * @param {Chain} chain
+ * @param {ArrayLike<number>} q  a value for each joint, radians or metres
+ * @param {Pose} [out]
+ * @returns {Pose} T_base_tcp: the chain's base and tool are in it
+ */
+export function tcpPose(chain, q, out = new Float64Array(16)) {
+  requirePosture(chain, q);
+  requireRoom(out, 16);
+  return writeTcpPose(chain.packed, q, out);
+}
+
+/**
+ * Z: F · Rz(θ) · Tz(d) at joint value q, in place, for the frame at `at`.
+ * @param {Float64Array} frames
+ * @param {number} at
+ * @param {Float64Array} rows
+ * @param {number} row
+ * @param {number} q
+ */
+function applyJoint(frames, at, rows, row, q) {
+  const slides = rows[row + SLIDES] === 1;
+  const d = rows[row + OFFSET] + (slides ? q : 0);
+  const c = slides ? 1 : Math.cos(q);
+  const s = slides ? 0 : Math.sin(q);
+  const cos = rows[row + COS_THETA] * c - rows[row + SIN_THETA] * s;
+  const sin = rows[row + SIN_THETA] * c + rows[row + COS_THETA] * s;
+  for (let k = at; k < at + 3; k++) {
+    const x = frames[k];
+    const y = frames[k + 4];
+    frames[k] = cos * x + sin * y;
+    frames[k + 4] = cos * y - sin * x;
+    frames[k + 12] += d * frames[k + 8];
+  }
+}
+
+/**
+ * X: F · Tx(a) · Rx(α), in place, for the frame at `at`.
+ * @param {Float64Array} frames
+ * @param {number} at
+ * @param {Float64Array} rows
+ * @param {number} row
+ */
+function applyLink(frames, at, rows, row) {
+  const a = rows[row + LENGTH];
+  const cos = rows[row + COS_TWIST];
+  const sin = rows[row + SIN_TWIST];
+  for (let k = at; k < at + 3; k++) {
+    const y = frames[k + 4];
+    const z = frames[k + 8];
+    frames[k + 12] += a * frames[k];
+    frames[k + 4] = cos * y + sin * z;
+    frames[k + 8] = cos * z - sin * y;
+  }
+}
+
+/**
+ * Every link's frame seen from the chain's root, as the book of the chain's convention places it: a standard frame i
+ * stands at the far end of link i, a modified one on joint i.
+ * @param {Chain} chain
+ * @param {ArrayLike<number>} q
+ * @param {Float64Array} [out]
+ * @returns {Float64Array} 16 · (n + 1) numbers: frame 0 (the base), frame 1, … frame n (the flange; no tool)
+ */
+export function linkFrames(chain, q, out = new Float64Array(16 * (chain.dof + 1))) {
+  requirePosture(chain, q);
+  requireRoom(out, 16 * (chain.dof + 1));
+  const { base, start, rows, isModified } = chain.packed;
+  out.set(base);
+  for (let i = 0; i < chain.dof; i++) {
+    const frame = 16 * (i + 1);
+    const row = ROW * i;
+    if (isModified && i === 0) out.set(start, frame);
+    else out.copyWithin(frame, frame - 16, frame);
+    if (isModified && i > 0) applyLink(out, frame, rows, row - ROW);
+    applyJoint(out, frame, rows, row, q[i]);
+    if (!isModified) applyLink(out, frame, rows, row);
+  }
+  return out;
+}

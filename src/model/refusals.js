@@ -78,6 +78,7 @@ function badNumber(what, value) {
 
 /** @param {Doc} doc @param {Extract<Command, { type: 'set-joint-field' }>} command */
 function crossedLimits({ robot }, { joint, field, value }) {
+  if (field !== 'lower' && field !== 'upper') return null;
   const { lower = -Infinity, upper = Infinity } = { ...robot.joints[joint], [field]: value };
   if (lower <= upper) return null;
   const message =

@@ -7,10 +7,12 @@
  * @import { History } from './history.js'
  * @import { AimAnswer } from './aim.js'
  *
- * @typedef {'robot' | 'jog' | 'aim' | 'program' | 'code'} Panel
+ * @typedef {'robot' | 'program' | 'code'} Tab
+ * @typedef {Tab | 'jog' | 'aim'} Panel
  *
  * @typedef {object} Session
  * @property {Panel} panel      the one that is open, where the screen has room for one only
+ * @property {Tab} tab          the one that is open on the left, where there is room for both sides
  * @property {{ readonly joint: number, readonly field: JointField } | null} cell  of the DH table, being edited
  * @property {number | null} heldJoint  the joint whose slider is in the hand
  * @property {readonly number[] | null} target  X Y Z W P R in document units; null while it follows the tool
@@ -26,7 +28,7 @@ import { applyCommand } from './commands.js';
 import { cancelGesture, endGesture, record, redo, startHistory, undo } from './history.js';
 
 /** @type {Session} */
-const FRESH = { panel: 'jog', cell: null, heldJoint: null, target: null, answer: null };
+const FRESH = { panel: 'jog', tab: 'robot', cell: null, heldJoint: null, target: null, answer: null };
 
 /** @param {Doc} doc @param {Partial<Session>} [session] @returns {AppState} */
 export const startState = (doc, session = {}) => ({ ...startHistory(doc), session: { ...FRESH, ...session } });
@@ -72,5 +74,8 @@ function settle(state, history, next) {
   const old = history.doc.robot;
   if (robot === old) return { ...next, session };
   const sameShape = robot.joints.length === old.joints.length && robot.units === old.units && robot.name === old.name;
-  return { ...next, session: sameShape ? { ...session, answer: null } : { ...FRESH, panel: session.panel } };
+  return {
+    ...next,
+    session: sameShape ? { ...session, answer: null } : { ...FRESH, panel: session.panel, tab: session.tab },
+  };
 }

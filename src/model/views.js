@@ -51,6 +51,23 @@ export function createViews(store, clock, { onError, order = (views) => views })
 }
 
 /**
+ * Several values as one: the same array as long as each of them is the same.
+ * @template State
+ * @template {readonly unknown[]} Values
+ * @param {(state: State) => readonly [...Values]} select
+ * @returns {(state: State) => readonly [...Values]}
+ */
+export function together(select) {
+  /** @type {readonly [...Values] | undefined} */
+  let last;
+  return (state) => {
+    const values = select(state);
+    if (!last || values.some((value, i) => !Object.is(value, last?.[i]))) last = values;
+    return last;
+  };
+}
+
+/**
  * @template State
  * @typedef {<Value>(select: (state: State) => Value, draw: (value: Value) => void) => () => void} AddView
  */

@@ -1,0 +1,15 @@
+/**
+ * The page's clock: the only file that asks the browser for the time and for frames.
+ * @import { Clock } from '../model/clock.js'
+ */
+import { fromMilliseconds, toMilliseconds } from '../model/units.js';
+
+/** @returns {Clock} */
+export const createBrowserClock = () => ({
+  now: () => fromMilliseconds(performance.now()),
+  onFrame: (callback) => void requestAnimationFrame(() => callback()),
+  after(seconds, callback) {
+    const timer = setTimeout(callback, toMilliseconds(seconds));
+    return () => clearTimeout(timer);
+  },
+});

@@ -1,0 +1,144 @@
+/**
+ * Controller code for the recorded postures: shown, copied, saved. The writer is loaded when the panel is first opened.
+ *
+ * @import { Page } from './page.js'
+ * @import { Doc } from '../model/document.js'
+ */
+import $ from 'jquery/slim';
+import { memo } from '../model/memo.js';
+import { together } from '../model/views.js';
+import { copyText } from './clipboard.js';
+import { fill, h } from './dom.js';
+import { download } from './download.js';
+import { emptyState } from './emptyState.js';
+import { icon } from './icons.js';
+import { openPanel } from './page.js';
+import { TEXT } from './strings.js';
+
+/**
+ * @param {Page} page
+ * @param {HTMLElement} host
+ * @param {object} given
+ * @param {string} given.version   of this program, for the files' heads
+ * @param {() => Date} given.today
+ */
+export function createCodePanel(page, host, { version, today }) {
+  const { store, addView, announce, messages } = page;
+  /** @type {typeof import('../model/controllerCode.js') | null} */
+  let writer = null;
+  let chosen = 0;
+
+  const write = memo((/** @type {Doc['robot']} */ robot, /** @type {Doc['postures']} */ postures) =>
+    writer?.controllerCode({ ...store.state.doc, robot, postures }, { version, generatedAt: today() }),
+  );
+  const codeOf = (/** @type {Doc} */ doc) => write(doc.robot, doc.postures);
+
+  /** @param {Doc} doc */
+  function draw(doc) {
+    if (doc.postures.length < 2) {
+      const action = h(
+        'button',
+        { type: 'button', class: 'btn btn-primary', 'data-action': 'program' },
+        TEXT.code.toProgram,
+      );
+      fill(host, emptyState(TEXT.code.empty, TEXT.code.emptyDetail, action));
+      return;
+    }
+    const code = codeOf(doc);
+    if (!code) return;
+    chosen = Math.min(chosen, Math.max(0, code.files.length - 1));
+    const file = code.files[chosen];
+    fill(
+      host,
+      h(
+        'div',
+        { class: 'table-head' },
+        h('h2', {}, TEXT.code.title),
+        h('span', { class: 'grow' }),
+        file && actionButton('save', 'download', TEXT.code.save, 'btn-primary'),
+      ),
+      notes(code.issues.map(({ message }) => message)),
+      file && [
+        h(
+          'div',
+          { class: 'files', role: 'group', 'aria-label': TEXT.code.files },
+          code.files.map(({ name }, i) =>
+            h('button', { type: 'button', 'data-file': i, 'aria-pressed': String(i === chosen) }, name),
+          ),
+          h('span', { class: 'grow' }),
+          actionButton('copy', 'copy', TEXT.code.copy),
+        ),
+        h(
+          'pre',
+          { class: 'code', tabindex: 0, role: 'region', 'aria-label': TEXT.code.text(file.name) },
+          lines(file.text),
+        ),
+      ],
+    );
+  }
+
+  $(host)
+    .on('click', '[data-action=program]', () => openPanel(page, 'program'))
+    .on('click', '[data-file]', ({ currentTarget }) => {
+      chosen = Number(currentTarget.dataset.file);
+      draw(store.state.doc);
+      host.querySelector(/** @type {'button'} */ (`[data-file="${chosen}"]`))?.focus();
+    })
+    .on('click', '[data-action=copy]', async () => {
+      const file = codeOf(store.state.doc)?.files[chosen];
+      if (file) announce((await copyText(file.text)) ? TEXT.code.copied(file.name) : TEXT.pose.copyFailed);
+    })
+    .on('click', '[data-action=save]', () => {
+      const files = codeOf(store.state.doc)?.files ?? [];
+      for (const { name, text } of files) download(name, text, 'text/plain');
+      announce(TEXT.code.saved(files.map(({ name }) => name).join(', ')));
+    });
+
+  addView(
+    together(({ doc, session }) => [session.tab === 'code', doc.robot, doc.postures]),
+    ([isOpen]) => {
+      if (!isOpen) return;
+      if (writer) {
+        draw(store.state.doc);
+        return;
+      }
+      draw({ ...store.state.doc, postures: store.state.doc.postures.length < 2 ? [] : store.state.doc.postures });
+      import('../model/controllerCode.js').then((module) => {
+        writer = module;
+        draw(store.state.doc);
+      }, messages.fault);
+    },
+  );
+}
+
+/** @param {string} action @param {import('./icons.js').IconName} name @param {string} label @param {string} [look] */
+const actionButton = (action, name, label, look) =>
+  look
+    ? h('button', { type: 'button', class: `btn ${look}`, 'data-action': action }, icon(name), label)
+    : h(
+        'button',
+        { type: 'button', class: 'btn btn-icon', 'data-action': action, 'aria-label': label, title: label },
+        icon(name),
+      );
+
+/** @param {string[]} messages */
+const notes = (messages) =>
+  messages.length > 0 &&
+  h(
+    'div',
+    { class: 'cellbar ask' },
+    icon('exclamation'),
+    h(
+      'div',
+      {},
+      h('b', {}, TEXT.code.notes),
+      messages.map((message) => h('p', {}, message)),
+    ),
+  );
+
+/** Each line an element of its own, so that the stylesheet can number them. @param {string} text */
+const lines = (text) =>
+  text
+    .replace(/\n$/, '')
+    .split('\n')
+    .map((line) => h('span', { class: 'code-line' }, `${line}\n`));

@@ -1,0 +1,210 @@
+/**
+ * The DH table: a grid, not a form. One cell for each number; arrow keys and Enter go from cell to cell as in a
+ * spreadsheet, where that does not get in the way of the text cursor.
+ *
+ * @import { Page } from './page.js'
+ * @import { CellEditor } from './cellEditor.js'
+ * @import { JointDoc, JointField, RobotDoc } from '../model/document.js'
+ */
+import $ from 'jquery/slim';
+import { isSliding, quantityOf } from '../model/document.js';
+import { together } from '../model/views.js';
+import { editCell } from './cellEditor.js';
+import { createCellLine } from './cellLine.js';
+import { fill, h, spoken, symbol } from './dom.js';
+import { jointIcon, plain, unitOf, unitSign } from './format.js';
+import { icon } from './icons.js';
+import { TEXT } from './strings.js';
+
+/** @type {readonly { field: JointField, letter: string | null }[]} */
+const COLUMNS = [
+  { field: 'theta', letter: 'θ' },
+  { field: 'd', letter: 'd' },
+  { field: 'a', letter: 'a' },
+  { field: 'alpha', letter: 'α' },
+  { field: 'lower', letter: null },
+  { field: 'upper', letter: null },
+];
+
+/** The column whose constant the joint value adds to. @param {JointDoc} joint @returns {JointField} */
+const variableOf = (joint) => (isSliding(joint) ? 'd' : 'theta');
+
+/**
+ * @param {Page} page
+ * @param {HTMLElement} host
+ */
+export function createDhTable(page, host) {
+  const { store, addView } = page;
+  const table = h('table', { class: 'grid', 'aria-label': TEXT.table.title });
+  const convention = h('span', { class: 'b' });
+  const order = h('span', { class: 'soft sm formula' });
+  const cellLine = createCellLine(page);
+  const source = h('p', { class: 'source soft sm' });
+  fill(
+    host,
+    h('div', { class: 'table-head' }, convention, order),
+    h('div', { class: 'grid-scroll' }, table),
+    cellLine.element,
+    source,
+  );
+  /** @type {CellEditor[][]} one row for each joint */
+  let cells = [];
+
+  const jointAt = (/** @type {number} */ index) => store.state.doc.robot.joints[index];
+  const show = (/** @type {number} */ joint, /** @type {JointField} */ field) => {
+    const value = jointAt(joint)[field];
+    return value === undefined ? '' : plain(value);
+  };
+
+  /** @param {number} row @param {JointField} field */
+  function makeCell(row, field) {
+    const { units } = store.state.doc.robot;
+    const joint = jointAt(row);
+    const unit = units[quantityOf(joint, field)];
+    const label = TEXT.table.cell(row + 1, TEXT.table.fieldName[field], TEXT.table.unitName[unit]);
+    const input = h('input', {
+      type: 'text',
+      inputmode: 'text',
+      'aria-label': label,
+      'aria-describedby': cellLine.id,
+      autocomplete: 'off',
+      spellcheck: 'false',
+      placeholder: TEXT.table.unlimited,
+    });
+    const cell = editCell(page, input, {
+      command: (value) => ({ type: 'set-joint-field', joint: row, field, value }),
+      onDone: (value) => `${label}: ${plain(value)}`,
+      onReason: (reason) => cellLine.refuse(input, row, field, reason),
+      text: () => show(row, field),
+      resting: () => show(row, field),
+    });
+    input.addEventListener('focus', () => store.dispatch({ type: 'show', change: { cell: { joint: row, field } } }));
+    input.addEventListener('input', () => cellLine.typed(input.value));
+    return cell;
+  }
+
+  /** @param {RobotDoc} robot */
+  function build({ joints, units }) {
+    cells = joints.map((_, row) => COLUMNS.map(({ field }) => makeCell(row, field)));
+    const sameKind = joints.every((joint) => isSliding(joint) === isSliding(joints[0]));
+    const head = COLUMNS.map(({ field, letter }) => {
+      // Limits of a mixed arm have a unit in each row, not in the head.
+      const unit = letter || sameKind ? unitSign(units[quantityOf(joints[0], field)]) : '';
+      const title = letter
+        ? [symbol(letter), spoken(TEXT.table.fieldName[field])]
+        : TEXT.table[field === 'lower' ? 'lower' : 'upper'];
+      return h(
+        'th',
+        { scope: 'col', class: letter ? 'dh' : 'limit' },
+        title,
+        h('span', { class: 'unit' }, unit === '°' ? 'deg' : unit),
+      );
+    });
+    const rows = joints.map((joint, row) =>
+      h(
+        'tr',
+        { 'data-row': row },
+        h(
+          'th',
+          { scope: 'row', class: 'start', title: TEXT.table.jointType[joint.type] },
+          h(
+            'span',
+            { class: 'joint-no' },
+            String(row + 1),
+            icon(jointIcon(joint)),
+            spoken(TEXT.table.jointType[joint.type]),
+          ),
+        ),
+        COLUMNS.map(({ field, letter }, column) => {
+          const isVariable = field === variableOf(joint);
+          const ownUnit = !letter && !sameKind ? unitSign(unitOf(joint, units)) : null;
+          return h(
+            'td',
+            {
+              class:
+                [isVariable && 'has-var', !letter && 'limit', ownUnit && 'has-unit'].filter(Boolean).join(' ') || null,
+            },
+            isVariable && h('span', { class: 'var', 'aria-hidden': 'true' }, symbol('q', row + 1), '+'),
+            cells[row][column].input,
+            ownUnit && h('span', { class: 'unit', 'aria-hidden': 'true' }, ownUnit),
+          );
+        }),
+      ),
+    );
+    fill(
+      table,
+      h('thead', {}, h('tr', {}, h('th', { scope: 'col', class: 'start' }, TEXT.table.joint), head)),
+      h('tbody', {}, rows),
+    );
+  }
+
+  /** @param {HTMLInputElement} input @param {number} rows @param {number} columns @returns {boolean} whether there was a cell to go to */
+  function go(input, rows, columns) {
+    const row = cells.findIndex((list) => list.some((cell) => cell.input === input));
+    const column = cells[row].findIndex((cell) => cell.input === input);
+    const next = cells[row + rows]?.[column + columns];
+    next?.input.focus();
+    return Boolean(next);
+  }
+
+  $(table).on('keydown', 'input', (event) => {
+    const input = /** @type {HTMLInputElement} */ (event.currentTarget);
+    const { selectionStart: start, selectionEnd: end, value } = input;
+    const all = start === 0 && end === value.length;
+    const atStart = all || (start === 0 && end === 0);
+    const atEnd = all || (start === value.length && end === value.length);
+    const moved =
+      (event.key === 'ArrowUp' && go(input, -1, 0)) ||
+      (event.key === 'ArrowDown' && go(input, 1, 0)) ||
+      (event.key === 'Enter' &&
+        input.getAttribute('aria-invalid') !== 'true' &&
+        go(input, event.shiftKey ? -1 : 1, 0)) ||
+      (event.key === 'ArrowLeft' && atStart && go(input, 0, -1)) ||
+      (event.key === 'ArrowRight' && atEnd && go(input, 0, 1));
+    if (moved) event.preventDefault();
+  });
+  $(table).on('focusout', ({ relatedTarget }) => {
+    if (!(relatedTarget instanceof Node && table.contains(relatedTarget))) {
+      store.dispatch({ type: 'show', change: { cell: null } });
+    }
+  });
+
+  /** @param {RobotDoc} robot */
+  function draw({ joints }) {
+    joints.forEach((joint, row) =>
+      COLUMNS.forEach(({ field }, column) => {
+        cells[row][column].refresh();
+        cells[row][column].input.parentElement?.classList.toggle('zero', joint[field] === 0);
+      }),
+    );
+  }
+
+  /** @type {string} the shape of the grid that stands */
+  let shape = '';
+  addView(
+    ({ doc }) => doc.robot,
+    (robot) => {
+      const wanted = [
+        robot.name,
+        robot.units.length,
+        robot.units.angle,
+        ...robot.joints.map(({ id, type }) => `${id} ${type}`),
+      ].join();
+      if (wanted !== shape) build(robot);
+      shape = wanted;
+      draw(robot);
+      convention.textContent = TEXT.table.conventionName[robot.convention];
+      order.textContent = TEXT.table.conventionOrder[robot.convention];
+      fill(source, robot.info.source ? [h('b', {}, TEXT.table.source), ' ', robot.info.source] : null);
+    },
+  );
+  addView(
+    together(({ doc, session }) => [doc.robot, session.cell, session.heldJoint]),
+    ([robot, cell, heldJoint]) => {
+      const on = cell?.joint ?? heldJoint;
+      for (const row of table.querySelectorAll('tbody tr'))
+        row.classList.toggle('on', row.getAttribute('data-row') === String(on));
+      cellLine.show(robot, cell);
+    },
+  );
+}

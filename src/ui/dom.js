@@ -1,0 +1,45 @@
+/**
+ * Elements from data. Text becomes text nodes, never markup, so a robot called "<img onerror=…>" is only a strange name.
+ *
+ * @typedef {Node | string | null | undefined | false} Child
+ */
+
+/**
+ * @template {keyof HTMLElementTagNameMap} Tag
+ * @param {Tag} tag
+ * @param {Record<string, string | number | boolean | null | undefined>} [attributes]  true: present without a value;
+ *   false, null and undefined: absent
+ * @param {...(Child | readonly Child[])} children
+ * @returns {HTMLElementTagNameMap[Tag]}
+ */
+export function h(tag, attributes = {}, ...children) {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (value === true) element.setAttribute(name, '');
+    else if (value !== false && value !== null && value !== undefined) element.setAttribute(name, String(value));
+  }
+  element.append(...present(children.flat()));
+  return element;
+}
+
+/**
+ * Show these children instead of what is there.
+ * @param {Element} parent
+ * @param {...(Child | readonly Child[])} children
+ */
+export const fill = (parent, ...children) => parent.replaceChildren(...present(children.flat()));
+
+/** @param {readonly Child[]} children @returns {(Node | string)[]} */
+const present = (children) =>
+  children.filter((child) => child instanceof Node || (typeof child === 'string' && child !== ''));
+
+/**
+ * A symbol of the field with its index: a₂, set as in a book.
+ * @param {string} letter
+ * @param {number | string} [index]
+ */
+export const symbol = (letter, index) =>
+  h('span', { class: 'm' }, letter, index === undefined ? null : h('sub', {}, String(index)));
+
+/** Words for those who listen, not for those who look. @param {string} text */
+export const spoken = (text) => h('span', { class: 'visually-hidden' }, text);

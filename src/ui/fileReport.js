@@ -1,0 +1,113 @@
+/**
+ * What was wrong with a file, in a dialog: what was not done; that the work is as it was; line and reason; what to do.
+ *
+ * @import { Issue } from '../model/issues.js'
+ */
+import Modal from 'bootstrap/js/src/modal.js';
+import { copyText } from './clipboard.js';
+import { h } from './dom.js';
+import { icon } from './icons.js';
+import { TEXT } from './strings.js';
+
+const CONTEXT_LINES = 1;
+const MOST_ISSUES = 20;
+
+/**
+ * @param {object} report
+ * @param {string} report.name        of the file
+ * @param {string} report.robotName   the robot that is open now
+ * @param {boolean} report.isOpened   with remarks, or not at all
+ * @param {readonly Issue[]} report.issues
+ * @param {string | null} report.text of the file, for the lines around a fault
+ * @param {() => void} report.again   choose another file
+ */
+export function showReport({ name, robotName, isOpened, issues, text, again }) {
+  const title = isOpened ? TEXT.files.openedWith(name) : TEXT.files.notOpened(name);
+  const shown = issues.slice(0, MOST_ISSUES);
+  const close = h(
+    'button',
+    { type: 'button', class: 'btn btn-icon', 'data-bs-dismiss': 'modal', 'aria-label': TEXT.close },
+    icon('close'),
+  );
+  const copy = h('button', { type: 'button', class: 'btn' }, icon('copy'), TEXT.files.copyReport);
+  const another = h(
+    'button',
+    { type: 'button', class: 'btn btn-primary', 'data-bs-dismiss': 'modal' },
+    icon('folder'),
+    TEXT.files.another,
+  );
+  const done = h('button', { type: 'button', class: 'btn', 'data-bs-dismiss': 'modal' }, TEXT.close);
+  const dialog = h(
+    'div',
+    { class: 'modal', tabindex: -1, 'aria-labelledby': 'report-title' },
+    h(
+      'div',
+      { class: 'modal-dialog modal-dialog-centered modal-dialog-scrollable' },
+      h(
+        'div',
+        { class: 'modal-content dialog' },
+        h(
+          'header',
+          { class: 'row-flex' },
+          icon(isOpened ? 'exclamation' : 'fileX', isOpened ? 'i-l warn' : 'i-l bad'),
+          h(
+            'div',
+            { class: 'grow' },
+            h('h2', { id: 'report-title' }, title),
+            isOpened ? null : h('p', { class: 'soft' }, TEXT.files.stillHere(robotName)),
+          ),
+          close,
+        ),
+        h(
+          'ul',
+          { class: 'issues' },
+          shown.map((issue) => issueItem(issue, text)),
+        ),
+        h('footer', { class: 'row-flex' }, copy, h('span', { class: 'grow' }), done, isOpened ? null : another),
+      ),
+    ),
+  );
+  copy.addEventListener('click', () => copyText([title, ...issues.map(inWords)].join('\n')));
+  another.addEventListener('click', again);
+  document.body.append(dialog);
+  const modal = new Modal(dialog);
+  dialog.addEventListener('hidden.bs.modal', () => {
+    modal.dispose();
+    dialog.remove();
+  });
+  modal.show();
+}
+
+/** @param {Issue} issue */
+const inWords = ({ line, message }) => (line ? `${TEXT.files.line(line)}: ${message}` : message);
+
+/** @param {Issue} issue @param {string | null} text */
+const issueItem = ({ severity, line, message }, text) =>
+  h(
+    'li',
+    {},
+    icon(severity === 'error' ? 'octagon' : 'exclamation', severity === 'error' ? 'bad' : 'warn'),
+    h(
+      'div',
+      {},
+      h('p', { class: 'issue-text' }, line ? h('b', {}, TEXT.files.line(line)) : null, ' ', message),
+      line && text !== null ? snippet(text, line) : null,
+    ),
+  );
+
+/** The line at fault between its neighbours. @param {string} text @param {number} line */
+function snippet(text, line) {
+  const all = text.split(/\r\n|\r|\n/);
+  const from = Math.max(1, line - CONTEXT_LINES);
+  const rows = all
+    .slice(from - 1, line + CONTEXT_LINES)
+    .map((content, i) =>
+      h(
+        'div',
+        { class: from + i === line ? 'here' : null },
+        h('span', {}, String(from + i)),
+        h('span', { class: 'content' }, content.slice(0, 200)),
+      ),
+    );
+  return h('div', { class: 'snippet' }, rows);
+}

@@ -1,0 +1,74 @@
+/**
+ * Icons as inline SVG: Bootstrap Icons by name, and the few that robotics needs and the set lacks.
+ * The markup is our own and fixed at build time; it is parsed as SVG, not as HTML.
+ */
+import circleHalf from 'bootstrap-icons/icons/circle-half.svg?raw';
+import codeSlash from 'bootstrap-icons/icons/code-slash.svg?raw';
+import copy from 'bootstrap-icons/icons/copy.svg?raw';
+import crosshair from 'bootstrap-icons/icons/crosshair.svg?raw';
+import download from 'bootstrap-icons/icons/download.svg?raw';
+import exclamation from 'bootstrap-icons/icons/exclamation-triangle-fill.svg?raw';
+import checkCircle from 'bootstrap-icons/icons/check-circle-fill.svg?raw';
+import fileX from 'bootstrap-icons/icons/file-earmark-x.svg?raw';
+import folder from 'bootstrap-icons/icons/folder2-open.svg?raw';
+import fullscreen from 'bootstrap-icons/icons/arrows-fullscreen.svg?raw';
+import home from 'bootstrap-icons/icons/house.svg?raw';
+import list from 'bootstrap-icons/icons/list-ul.svg?raw';
+import octagon from 'bootstrap-icons/icons/x-octagon-fill.svg?raw';
+import record from 'bootstrap-icons/icons/record-circle.svg?raw';
+import redo from 'bootstrap-icons/icons/arrow-clockwise.svg?raw';
+import slash from 'bootstrap-icons/icons/slash-circle.svg?raw';
+import sliders from 'bootstrap-icons/icons/sliders.svg?raw';
+import table from 'bootstrap-icons/icons/table.svg?raw';
+import target from 'bootstrap-icons/icons/bullseye.svg?raw';
+import trash from 'bootstrap-icons/icons/trash.svg?raw';
+import undo from 'bootstrap-icons/icons/arrow-counterclockwise.svg?raw';
+import close from 'bootstrap-icons/icons/x-lg.svg?raw';
+
+/** @param {string} content @param {string} [box] */
+const own = (content, box = '0 0 16 16') => `<svg xmlns="http://www.w3.org/2000/svg" viewBox="${box}">${content}</svg>`;
+
+const DRAWINGS = {
+  ...{
+    circleHalf,
+    codeSlash,
+    copy,
+    crosshair,
+    download,
+    exclamation,
+    checkCircle,
+    fileX,
+    folder,
+    fullscreen,
+    home,
+    list,
+  },
+  ...{ octagon, record, redo, slash, sliders, table, target, trash, undo, close },
+  revolute: own(
+    '<path d="M8 1.5a6.5 6.5 0 1 1-6.1 4.2" fill="none" stroke="currentColor" stroke-width="1.4" stroke-linecap="round"/><path d="M.6 6.9 2 3.6l2.9 2.1z"/><circle cx="8" cy="8" r="2"/>',
+  ),
+  prismatic: own(
+    '<path d="M3.2 5h9.6v6H3.2z" fill="none" stroke="currentColor" stroke-width="1.4"/><path d="M.2 8 2.6 6v4zM15.8 8l-2.4-2v4z"/>',
+  ),
+  caret: own('<path d="M1.5 3.5 5 7l3.5-3.5" fill="none" stroke="currentColor" stroke-width="1.6"/>', '0 0 10 10'),
+  // The two joint axes and their common normal: the figure every DH table starts from.
+  brand: own(
+    '<g fill="none" stroke-linecap="round"><path d="M5 20V2M13 20 19 2" stroke="currentColor" stroke-width="2"/><path d="M5 11h11" stroke="var(--accent)" stroke-width="2.6"/></g><circle cx="5" cy="11" r="2.3" fill="var(--accent)"/><circle cx="16" cy="11" r="2.3" fill="var(--accent)"/>',
+    '0 0 22 22',
+  ),
+};
+
+/** @typedef {keyof typeof DRAWINGS} IconName */
+
+/**
+ * @param {IconName} name
+ * @param {string} [className]
+ * @returns {SVGElement} hidden from assistive technology: the control beside it has the name
+ */
+export function icon(name, className = '') {
+  const svg = new DOMParser().parseFromString(DRAWINGS[name], 'image/svg+xml').documentElement;
+  for (const attribute of ['width', 'height', 'fill', 'class']) svg.removeAttribute(attribute);
+  svg.setAttribute('class', `i ${className}`.trim());
+  svg.setAttribute('aria-hidden', 'true');
+  return /** @type {SVGElement} */ (/** @type {unknown} */ (document.importNode(svg, true)));
+}

@@ -1,0 +1,55 @@
+/**
+ * What every panel is given: the store and how to watch it, what follows from the document, and a voice.
+ *
+ * @import { Announce } from './announce.js'
+ * @import { Messages } from './messages.js'
+ * @import { Clock } from '../model/clock.js'
+ * @import { Command } from '../model/commands.js'
+ * @import { Derived } from '../model/derived.js'
+ * @import { Action, AppState, Panel, Tab } from '../model/session.js'
+ * @import { Store } from '../model/store.js'
+ * @import { AddView } from '../model/views.js'
+ *
+ * @typedef {object} Page
+ * @property {Store<AppState, Action>} store
+ * @property {AddView<AppState>} addView
+ * @property {Derived} derived
+ * @property {Clock} clock
+ * @property {Announce} announce
+ * @property {Messages} messages
+ */
+import { refusal } from '../model/refusals.js';
+
+/** @type {readonly Tab[]} */
+export const TABS = ['robot', 'program', 'code'];
+
+/** @type {readonly Panel[]} in the order of the dock under the thumb */
+export const PANELS = ['robot', 'jog', 'aim', 'program', 'code'];
+
+/**
+ * Open a panel: on the left where it has a place there, and in the sheet of a phone.
+ * @param {Page} page
+ * @param {Panel} panel
+ */
+export function openPanel({ store }, panel) {
+  const tab = TABS.find((name) => name === panel);
+  store.dispatch({ type: 'show', change: tab ? { panel, tab } : { panel } });
+}
+
+/**
+ * Carry out a command, unless there is something against it.
+ * @param {Page} page
+ * @param {Command & { gesture?: string }} command
+ * @returns {string | null} the reason why not, in a sentence
+ */
+export function attempt({ store }, command) {
+  const reason = refusal(store.state.doc, command);
+  if (reason) return reason.message;
+  store.dispatch(command);
+  return null;
+}
+
+let gestures = 0;
+
+/** A new name for a drag or an edit that is to be one undo step. */
+export const newGesture = () => `gesture-${++gestures}`;

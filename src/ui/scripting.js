@@ -1,0 +1,90 @@
+/**
+ * `window.denavit`: the page for scripts, driving the same commands as the panels. Documented in docs/api.md.
+ *
+ * @import { Page } from './page.js'
+ * @import { Doc } from '../model/document.js'
+ */
+import { writeRobotXml } from '../io/robotXmlWriter.js';
+import { aim } from '../model/aim.js';
+import { LIBRARY, newDocument } from '../model/library.js';
+
+/**
+ * @param {Page} page
+ * @param {Promise<void>} ready  the first picture is drawn
+ */
+export function createScripting({ store, derived, clock }, ready) {
+  /** @param {Doc} doc */
+  const replace = (doc) => store.dispatch({ type: 'replace-document', doc });
+
+  return {
+    ready,
+    clock,
+
+    /**
+     * @param {string} robotIdOrXml  an id of the library, or the text of a robot file
+     * @throws {RangeError} when it is neither; the document is then as it was
+     */
+    async load(robotIdOrXml) {
+      const text = String(robotIdOrXml);
+      if (Object.hasOwn(LIBRARY, text)) {
+        replace(newDocument(LIBRARY[text]));
+        return;
+      }
+      if (!text.trimStart().startsWith('<')) {
+        throw new RangeError(
+          `Expected one of ${Object.keys(LIBRARY).join(', ')} or a robot file, got "${text.slice(0, 80)}".`,
+        );
+      }
+      const { readRobotXml } = await import('../io/robotXml.js');
+      const { doc, issues } = readRobotXml(text);
+      if (!doc)
+        throw new RangeError(
+          issues
+            .filter(({ severity }) => severity === 'error')
+            .map(({ message }) => message)
+            .join(' '),
+        );
+      replace(doc);
+    },
+
+    /** The robot as it is in the document. */
+    model: () => store.state.doc.robot,
+
+    /** The document as a robot file. */
+    xml: () => writeRobotXml(store.state.doc),
+
+    /** Joint values in document units. */
+    joints: () => [...store.state.doc.posture],
+
+    /** @param {ArrayLike<number>} values  in document units; not held inside the limits */
+    setJoints: (values) => store.dispatch({ type: 'set-posture', posture: Array.from(values) }),
+
+    /** The pose of the TCP: 4 rows of 4 numbers, metres. */
+    pose: () => rowsOf(derived.tcp(store.state.doc)),
+
+    /**
+     * What "Move there" does: the arm goes to the pose if it can.
+     * @param {readonly (readonly number[])[]} pose  4 rows of 4 numbers, metres
+     */
+    solve(pose) {
+      const { doc } = store.state;
+      const { posture, isMet, result } = aim(doc, derived.chain(doc), poseOf(pose));
+      if (isMet) store.dispatch({ type: 'set-posture', posture });
+      return { ...result, q: [...posture], moved: isMet };
+    },
+
+    undo: () => store.dispatch({ type: 'undo' }),
+    redo: () => store.dispatch({ type: 'redo' }),
+  };
+}
+
+/** @param {Float64Array} T */
+const rowsOf = (T) => [0, 1, 2, 3].map((row) => [0, 1, 2, 3].map((column) => T[4 * column + row]));
+
+/** @param {readonly (readonly number[])[]} rows @returns {Float64Array} */
+function poseOf(rows) {
+  if (!Array.isArray(rows) || rows.length !== 4 || !rows.every((row) => row?.length === 4)) {
+    throw new RangeError('Expected a pose as 4 rows of 4 numbers, in metres.');
+  }
+  return Float64Array.from({ length: 16 }, (_, k) => rows[k % 4][Math.floor(k / 4)]);
+}

@@ -1,0 +1,211 @@
+/**
+ * All text of the page, as whole sentences with named blanks; nothing else in `ui` holds words. Numbers arrive already
+ * formatted (format.js).
+ */
+export const TEXT = {
+  product: 'Denavit',
+  close: 'Close',
+  fault: (/** @type {string} */ message) => `Something broke here: ${message} The rest of the page goes on working.`,
+  noWebGl:
+    'This browser shows no 3-D graphics (WebGL is off or missing), so the arm cannot be drawn. The table, the joints and the poses go on working.',
+
+  bar: {
+    chooseRobot: 'Choose a robot',
+    library: 'Library',
+    file: 'File',
+    open: 'Open a robot file…',
+    openDetail: 'XML, as this page saves it',
+    save: 'Save the robot as XML',
+    saveDetail: 'Table, limits, recorded postures',
+    undo: 'Undo',
+    redo: 'Redo',
+    theme: 'Colours: light or dark',
+    degreesOfFreedom: (/** @type {number} */ n, /** @type {string} */ types) => `${types}, ${n} joints`,
+    unitsOf: (/** @type {string} */ length, /** @type {string} */ angle) => `${length} · ${angle}`,
+    unitsLabel: 'Units of the document',
+  },
+
+  panels: {
+    label: 'Panels',
+    robot: 'Robot',
+    jog: 'Jog',
+    aim: 'Aim',
+    program: 'Program',
+    code: 'Code',
+    left: 'Robot and program',
+    right: 'Joints and poses',
+    view: '3-D view of the arm',
+  },
+
+  view: {
+    tools: 'View',
+    fit: 'Fit the arm into the view',
+    describe: (/** @type {string} */ robot, /** @type {string} */ pose) =>
+      `${robot} in 3-D. ${pose} Arrow keys orbit, plus and minus zoom, F fits.`,
+    grid: (/** @type {string} */ step) => `Grid ${step}`,
+    missing: (/** @type {string} */ distance) => distance,
+  },
+
+  table: {
+    title: 'Denavit–Hartenberg table',
+    conventionName: { standard: 'Standard DH', modified: 'Modified DH (Craig)' },
+    conventionOrder: {
+      standard: 'Rz(θ) · Tz(d) · Tx(a) · Rx(α)',
+      modified: 'Rx(α) · Tx(a) · Rz(θ) · Tz(d)',
+    },
+    joint: 'Joint',
+    lower: 'lower',
+    upper: 'upper',
+    jointType: { revolute: 'revolute', prismatic: 'prismatic', continuous: 'continuous' },
+    unlimited: 'none',
+    cell: (/** @type {number} */ joint, /** @type {string} */ field, /** @type {string} */ unit) =>
+      `Joint ${joint}, ${field}, ${unit}`,
+    fieldName: {
+      theta: 'joint angle θ',
+      d: 'link offset d',
+      a: 'link length a',
+      alpha: 'link twist α',
+      lower: 'lower limit',
+      upper: 'upper limit',
+      home: 'home',
+    },
+    unitName: { mm: 'millimetres', cm: 'centimetres', m: 'metres', deg: 'degrees', rad: 'radians' },
+    hint: 'Each row leads from one joint axis to the next. Choose a cell to see what it means and change it.',
+    source: 'Source',
+    kept: 'Kept as it was:',
+  },
+
+  /** What a parameter is, by convention; i counts joints from 1. */
+  definition: {
+    standard: {
+      theta: (/** @type {number} */ i) => `Joint angle: from axis x${sub(i - 1)} to x${sub(i)}, about z${sub(i - 1)}.`,
+      d: (/** @type {number} */ i) => `Link offset: from x${sub(i - 1)} to x${sub(i)}, along z${sub(i - 1)}.`,
+      a: (/** @type {number} */ i) => `Link length: from axis z${sub(i - 1)} to axis z${sub(i)}, along x${sub(i)}.`,
+      alpha: (/** @type {number} */ i) => `Link twist: from axis z${sub(i - 1)} to axis z${sub(i)}, about x${sub(i)}.`,
+    },
+    modified: {
+      theta: (/** @type {number} */ i) => `Joint angle: from axis x${sub(i - 1)} to x${sub(i)}, about z${sub(i)}.`,
+      d: (/** @type {number} */ i) => `Link offset: from x${sub(i - 1)} to x${sub(i)}, along z${sub(i)}.`,
+      a: (/** @type {number} */ i) => `Link length: from axis z${sub(i - 1)} to axis z${sub(i)}, along x${sub(i - 1)}.`,
+      alpha: (/** @type {number} */ i) =>
+        `Link twist: from axis z${sub(i - 1)} to axis z${sub(i)}, about x${sub(i - 1)}.`,
+    },
+    variable: (/** @type {number} */ i) => `This is the constant part; the joint value q${sub(i)} adds to it.`,
+    lower: 'The joint value may not be less.',
+    upper: 'The joint value may not be more.',
+    home: 'Where the joint stands at home.',
+  },
+
+  jog: {
+    title: 'Jog',
+    home: 'Go to home',
+    slider: (/** @type {number} */ joint) => `Joint ${joint}`,
+    field: (/** @type {number} */ joint, /** @type {string} */ unit) => `Joint ${joint}, ${unit}`,
+    outside: (/** @type {string} */ joint, /** @type {string} */ lower, /** @type {string} */ upper) =>
+      `${joint} stands outside its limits, ${lower} to ${upper}.`,
+    stops: (/** @type {string} */ joint, /** @type {string} */ lower, /** @type {string} */ upper) =>
+      `${joint} goes from ${lower} to ${upper}.`,
+    noLimit: 'no limit',
+    atHome: 'The arm is at home.',
+  },
+
+  pose: {
+    title: 'Tool pose',
+    frame: 'in base',
+    convention: 'FANUC WPR',
+    conventionDetail: 'Rz(R) · Ry(P) · Rx(W)',
+    copy: 'Copy the pose',
+    copied: 'The pose is copied.',
+    copyFailed: 'The browser does not allow copying here.',
+    spoken: (/** @type {string} */ numbers) => `The tool is at ${numbers}.`,
+  },
+
+  aim: {
+    title: 'Target',
+    field: (/** @type {string} */ name, /** @type {string} */ unit) => `Target ${name}, ${unit}`,
+    move: 'Move there',
+    follow: 'Take the tool pose',
+    nearest: 'Go to the nearest posture',
+    following: 'The fields follow the tool. Type a pose to aim at.',
+    toGo: (/** @type {string} */ distance, /** @type {string} */ angle) => `${distance} and ${angle} to go.`,
+    reached: (/** @type {string} */ distance, /** @type {string} */ angle) => `Reached: ${distance}, ${angle} off.`,
+    subspace: (/** @type {string} */ task) => `Met as far as this arm can: ${task}`,
+    wentNearest: 'The arm stands at the nearest posture found.',
+  },
+
+  /** Why inverse kinematics did not reach the whole pose. */
+  verdict: {
+    task: {
+      'position-and-axis': (/** @type {string} */ angle) =>
+        `the position and the direction of the tool axis. Its turn about that axis is free and differs by ${angle}.`,
+      position: (/** @type {string} */ angle) => `the position. The orientation differs by ${angle}.`,
+    },
+    unreachable: (/** @type {string} */ by) => `Out of reach: ${by} too far.`,
+    outsideLimits: (/** @type {string} */ joint, /** @type {string} */ by) =>
+      `Only outside the limits: ${joint} would have to go ${by} past its stop.`,
+    notFound: (/** @type {string} */ distance, /** @type {string} */ angle) =>
+      `No posture found for this pose. The nearest one found is ${distance} and ${angle} off.`,
+    fewJoints: (/** @type {number} */ joints, /** @type {string} */ distance, /** @type {string} */ angle) =>
+      `An arm with ${joints} joints cannot take this pose. The nearest posture found is ${distance} and ${angle} off.`,
+  },
+
+  program: {
+    title: 'Recorded postures',
+    record: 'Record here',
+    empty: 'Nothing recorded yet',
+    emptyDetail: 'Move the arm, record where it stands, and do it again: two postures make a motion.',
+    go: (/** @type {string} */ name) => `Move the arm to ${name}`,
+    name: (/** @type {number} */ index) => `Name of posture ${index}`,
+    remove: (/** @type {string} */ name) => `Delete ${name}`,
+    recorded: (/** @type {string} */ name) => `Recorded as ${name}.`,
+    one: 'One more posture, and controller code can be written for the motion between them.',
+    toCode: 'See the controller code',
+    values: 'joint values',
+  },
+
+  code: {
+    title: 'FANUC KAREL + TP',
+    empty: 'No motion to write yet',
+    emptyDetail: 'Controller code is written from recorded postures. Record two or more of them.',
+    toProgram: 'Record postures',
+    files: 'Files',
+    copy: 'Copy this file',
+    copied: (/** @type {string} */ name) => `${name} is copied.`,
+    save: 'Save both files',
+    saved: (/** @type {string} */ names) => `Saved: ${names}.`,
+    text: (/** @type {string} */ name) => `Text of ${name}`,
+    notes: 'Before you use it',
+  },
+
+  files: {
+    notOpened: (/** @type {string} */ name) => `${name} was not opened`,
+    stillHere: (/** @type {string} */ robot) => `${robot} is still here, unchanged.`,
+    opened: (/** @type {string} */ name) => `${name} is open.`,
+    openedWith: (/** @type {string} */ name) => `${name} is open, with remarks`,
+    saved: (/** @type {string} */ name) => `Saved as ${name}.`,
+    another: 'Choose another file',
+    copyReport: 'Copy report',
+    line: (/** @type {number} */ line) => `Line ${line}`,
+    tooLarge: (/** @type {string} */ size) => `The file has ${size}; a robot file has at most 1 MB.`,
+    unreadable: (/** @type {string} */ reason) => `The browser could not read the file: ${reason}`,
+    megabytes: (/** @type {string} */ n) => `${n} MB`,
+  },
+
+  number: {
+    empty: 'A number is needed here, such as 431.8.',
+    comma: (/** @type {string} */ mended) => `Decimals are written with a point: ${mended}.`,
+    notANumber: (/** @type {string} */ text) => `“${text}” is not a number; expected one such as 431.8.`,
+    tooLarge: 'The number is too large; at most 1 000 000 000.',
+  },
+
+  done: { undo: 'Undone.', redo: 'Done again.' },
+
+  parameter: {
+    notUnderstood: (/** @type {string} */ name, /** @type {string} */ text, /** @type {string} */ initial) =>
+      `?${name}=${text} is not understood; using ${initial}.`,
+    unknown: (/** @type {string} */ name) => `There is no ?${name} parameter.`,
+  },
+};
+
+/** @param {number} index */
+const sub = (index) => [...String(index)].map((digit) => '₀₁₂₃₄₅₆₇₈₉'[Number(digit)]).join('');

@@ -1,0 +1,51 @@
+/** Chance for the model's property tests: documents of the library, and any session of actions on them. */
+import fc from 'fast-check';
+import { LIBRARY, newDocument } from '../../../src/model/library.js';
+
+/** @typedef {import('../../../src/model/session.js').Action} Action */
+/** @typedef {import('../../../src/model/document.js').JointField} JointField */
+
+export const anyDocument = fc.constantFrom(...Object.values(LIBRARY)).map(newDocument);
+
+const anyNumber = fc.oneof(
+  fc.double({ min: -1e4, max: 1e4, noNaN: true }),
+  fc.constantFrom(0, -0, 90, 1e9, 2e9, NaN, Infinity, -Infinity),
+);
+const anyJoint = fc.integer({ min: -1, max: 6 });
+const anyGesture = fc.option(fc.constantFrom('a', 'b'), { nil: undefined });
+/** @type {JointField[]} */
+const FIELDS = ['theta', 'd', 'a', 'alpha', 'lower', 'upper', 'home'];
+
+/** Sensible and senseless ones. @type {import('fast-check').Arbitrary<Action>} */
+export const anyAction = fc.oneof(
+  fc.record({
+    type: fc.constant(/** @type {const} */ ('set-joint-field')),
+    joint: anyJoint,
+    field: fc.constantFrom(...FIELDS),
+    value: anyNumber,
+    gesture: anyGesture,
+  }),
+  fc.record({
+    type: fc.constant(/** @type {const} */ ('set-joint-value')),
+    joint: anyJoint,
+    value: anyNumber,
+    gesture: anyGesture,
+  }),
+  fc.record({
+    type: fc.constant(/** @type {const} */ ('set-posture')),
+    posture: fc.array(anyNumber, { minLength: 1, maxLength: 6 }),
+  }),
+  fc.constant(/** @type {Action} */ ({ type: 'record-posture' })),
+  fc.record({
+    type: fc.constant(/** @type {const} */ ('rename-posture')),
+    index: fc.integer({ min: -1, max: 4 }),
+    id: fc.oneof(fc.constantFrom('p1', 'p2', 'pick', 'current', ''), fc.string()),
+  }),
+  fc.record({ type: fc.constant(/** @type {const} */ ('remove-posture')), index: fc.integer({ min: -1, max: 4 }) }),
+  anyDocument.map((doc) => /** @type {Action} */ ({ type: 'replace-document', doc })),
+  fc.constantFrom(...['undo', 'redo', 'end-gesture', 'cancel-gesture'].map((type) => /** @type {Action} */ ({ type }))),
+  fc.record({
+    type: fc.constant(/** @type {const} */ ('show')),
+    change: fc.record({ heldJoint: fc.constantFrom(null, 0, 1) }),
+  }),
+);

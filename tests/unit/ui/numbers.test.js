@@ -1,0 +1,71 @@
+import { describe, expect, test } from 'vitest';
+import { editable, fixed, jointNumber, plain, poseNumber, withUnit } from '../../../src/ui/format.js';
+import { readNumber } from '../../../src/ui/numberText.js';
+
+describe('a number on the screen', () => {
+  test('has a true minus and is never minus zero', () => {
+    expect(fixed(-12.345, 2)).toBe('−12.35');
+    expect(fixed(-0.001, 2)).toBe('0.00');
+    expect(fixed(-0, 1)).toBe('0.0');
+    expect(plain(-0)).toBe('0');
+    expect(plain(-90)).toBe('−90');
+  });
+
+  test('of a table stands as it was typed', () => {
+    for (const value of [671.83, 20.3, 0.1, 1e-7, 123456789.123]) expect(plain(value)).toBe(String(value));
+  });
+
+  test('has the decimals that its unit needs', () => {
+    expect(poseNumber(431.8, 'mm')).toBe('431.80');
+    expect(poseNumber(0.4318, 'm')).toBe('0.43180');
+    expect(jointNumber(-32, 'deg')).toBe('−32.0');
+    expect(withUnit('12.0', 'deg')).toBe('12.0°');
+    expect(withUnit('80.0', 'mm')).toBe('80.0 mm');
+  });
+
+  test('to be edited has no rounding noise', () => {
+    expect(editable(-31.999999999999996)).toBe('−32');
+    expect(editable(0.1 + 0.2)).toBe('0.3');
+  });
+});
+
+describe('a typed number', () => {
+  const good = [
+    ['431.8', 431.8],
+    [' 12 ', 12],
+    ['−90', -90],
+    ['+.5', 0.5],
+    ['1e3', 1000],
+    ['2.', 2],
+    ['-0', -0],
+  ];
+  test.each(good)('%s is %d', (text, value) => expect(readNumber(String(text))).toEqual({ value, reason: null }));
+
+  const bad = [
+    '',
+    '  ',
+    '12,5',
+    '1,000',
+    '0x10',
+    '12abc',
+    '1 2',
+    'NaN',
+    'Infinity',
+    '1e400',
+    '2e9',
+    '--1',
+    '1e',
+    'pi',
+    '٣',
+    '1_000',
+  ];
+  test.each(bad)('“%s” is refused with a reason', (text) => {
+    const { value, reason } = readNumber(text);
+    expect(value).toBeNull();
+    expect(reason).toMatch(/\.$/);
+  });
+
+  test('with a decimal comma is mended in the reason', () => {
+    expect(readNumber('12,5').reason).toBe('Decimals are written with a point: 12.5.');
+  });
+});

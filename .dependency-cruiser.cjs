@@ -1,6 +1,7 @@
 /**
  * Who may import whom. This table is the architecture (docs/architecture.md); change both in one commit, with an ADR.
- * Type imports count: a folder that needs another's types depends on it.
+ * Type imports count: a folder that needs another's types depends on it. tests/unit/tooling/imports.test.js plants a
+ * violation of every rule here.
  */
 const MAY_IMPORT = {
   kinematics: { folders: [], packages: [] },
@@ -18,6 +19,11 @@ const MAY_IMPORT = {
 /** karel may import poses and orientations of kinematics, nothing else of it. */
 const POSES_ONLY = '^src/kinematics/(pose|orientation)\\.js$';
 
+const OUTSIDE_THE_TABLE = {
+  path: '^src/.*\\.m?js$',
+  pathNot: `^src/(main\\.js$|(${Object.keys(MAY_IMPORT).join('|')})/)`,
+};
+
 const escape = (text) => text.replace(/[/.@-]/g, '\\$&');
 
 const folderRules = Object.entries(MAY_IMPORT).flatMap(([folder, { folders, packages }]) => [
@@ -29,14 +35,12 @@ const folderRules = Object.entries(MAY_IMPORT).flatMap(([folder, { folders, pack
     to: { path: '^src/', pathNot: `^src/(${[folder, ...folders].join('|')})/` },
   },
   {
+    // Whatever is not under src: packages, Node's own modules, files of the repository.
     name: `${folder}-packages`,
     comment: `src/${folder} may import these packages: ${packages.join(', ') || 'none'}.`,
     severity: 'error',
     from: { path: `^src/${folder}/` },
-    to: {
-      dependencyTypesNot: ['local', 'type-only'],
-      pathNot: ['^src/', ...packages.map((name) => `node_modules/${escape(name)}/`)],
-    },
+    to: { couldNotResolve: false, pathNot: ['^src/', ...packages.map((name) => `(^|/)node_modules/${escape(name)}/`)] },
   },
 ]);
 
@@ -50,18 +54,28 @@ module.exports = {
       from: { path: '^src/karel/' },
       to: { path: '^src/kinematics/', pathNot: POSES_ONLY },
     },
+    {
+      name: 'outside-the-table',
+      comment:
+        'Every script of src but main.js is in a folder of the table, so that no other knows both ui and render.',
+      severity: 'error',
+      from: OUTSIDE_THE_TABLE,
+      to: {},
+    },
+    { name: 'outside-the-table-imported', severity: 'error', from: {}, to: OUTSIDE_THE_TABLE },
+    { name: 'nothing-imports-main', severity: 'error', from: {}, to: { path: '^src/main\\.js$' } },
     { name: 'no-cycles', severity: 'error', from: {}, to: { circular: true } },
     { name: 'no-unresolvable', severity: 'error', from: {}, to: { couldNotResolve: true } },
     {
       name: 'no-dev-dependencies',
       severity: 'error',
       from: { path: '^src/' },
-      to: { dependencyTypes: ['npm-dev'], pathNot: 'node_modules/@types/' },
+      to: { dependencyTypes: ['npm-dev', 'npm-no-pkg', 'npm-unknown'], pathNot: 'node_modules/@types/' },
     },
     {
       name: 'no-orphans',
       severity: 'error',
-      from: { orphan: true, path: '^src/', pathNot: '^src/main\\.js$' },
+      from: { orphan: true, path: '^src/', pathNot: '^src/(main\\.js|.*\\.d\\.ts)$' },
       to: {},
     },
   ],

@@ -1,48 +1,87 @@
+/**
+ * What may not be written where. Each entry of the lists is [selector, what to do instead]; tests/unit/tooling plants a
+ * violation of every one.
+ */
 import js from '@eslint/js';
 import globals from 'globals';
+import { jsdocTypes } from './scripts/jsdocTypes.mjs';
 
-/** [selector, what to do instead] */
+/** @typedef {readonly (readonly [selector: string, message: string])[]} Restrictions */
+
+const CLOCK = 'Take the Clock as a parameter.';
+const TIMERS = '/^(requestAnimationFrame|setTimeout|setInterval|requestIdleCallback)$/';
+/** @type {Restrictions} */
 const TIME_AND_CHANCE = [
-  [
-    'CallExpression[callee.object.name="Math"][callee.property.name="random"]',
-    'Take a generator from createRandom(seed).',
-  ],
-  [
-    'CallExpression[callee.object.name=/^(Date|performance)$/][callee.property.name="now"]',
-    'Take the Clock as a parameter.',
-  ],
-  [
-    'CallExpression[callee.name=/^(requestAnimationFrame|setTimeout|setInterval|requestIdleCallback)$/]',
-    'Take the Clock as a parameter.',
-  ],
-  ['NewExpression[callee.name="Date"]', 'Take the Clock as a parameter.'],
+  ['MemberExpression[object.name="Math"][property.name="random"]', 'Take a generator from createRandom(seed).'],
+  ['MemberExpression[property.name=/^(getRandomValues|randomUUID)$/]', 'Take a generator from createRandom(seed).'],
+  ['MemberExpression[object.name=/^(Date|performance)$/][property.name="now"]', CLOCK],
+  [`CallExpression[callee.name=${TIMERS}]`, CLOCK],
+  [`CallExpression[callee.property.name=${TIMERS}]`, CLOCK],
+  [':matches(NewExpression, CallExpression)[callee.name="Date"]', CLOCK],
 ];
-const UNITS = ['*', '/'].map((operator) => [
-  `BinaryExpression[operator="${operator}"] > Literal[raw=/^(180|1000)$/]`,
-  'Convert units in src/model/units.js only.',
-]);
+
+const UNITS_FILE = 'Convert units in src/model/units.js only.';
+/** @type {Restrictions} */
+const UNITS = [
+  [
+    ':matches(BinaryExpression[operator=/^[*\\u002f]$/], AssignmentExpression[operator=/^[*\\u002f]=$/]) > :matches(Literal[value=180], Literal[value=1000])',
+    UNITS_FILE,
+  ],
+  ['MemberExpression[property.name=/^(degToRad|radToDeg|DEG2RAD|RAD2DEG)$/]', UNITS_FILE],
+];
+
+const ELEMENTS = 'Build elements with ui/dom.js; text stays text.';
+const INSERTING =
+  '/^(append|prepend|before|after|replaceWith|appendTo|prependTo|insertBefore|insertAfter|wrap|wrapAll|wrapInner)$/';
+const MARKUP =
+  ':matches(Literal[value=/</], TemplateLiteral:has(TemplateElement[value.raw=/</]), BinaryExpression:has(Literal[value=/</]))';
+/** @type {Restrictions} */
 const HTML_FROM_TEXT = [
+  ['AssignmentExpression > MemberExpression.left[property.name=/^(innerHTML|outerHTML|srcdoc)$/]', ELEMENTS],
+  ['AssignmentExpression > MemberExpression.left[property.value=/^(innerHTML|outerHTML|srcdoc)$/]', ELEMENTS],
+  ['Property[key.name=/^(innerHTML|outerHTML|srcdoc)$/]', ELEMENTS],
   [
-    'AssignmentExpression[left.property.name=/^(innerHTML|outerHTML)$/]',
-    'Build elements with ui/dom.js; text stays text.',
+    'CallExpression[callee.property.name=/^(insertAdjacentHTML|html|parseHTML|setHTMLUnsafe|createContextualFragment)$/]',
+    ELEMENTS,
   ],
-  [
-    'CallExpression[callee.property.name=/^(insertAdjacentHTML|html|parseHTML)$/]',
-    'Build elements with ui/dom.js; text stays text.',
-  ],
-  ['CallExpression[callee.name="$"] > Literal.arguments[value=/</]', 'Build elements with ui/dom.js; text stays text.'],
+  ['CallExpression[callee.object.name="document"][callee.property.name=/^write(ln)?$/]', ELEMENTS],
+  [`CallExpression[callee.name=/^(\\$|jQuery)$/] > ${MARKUP}.arguments`, ELEMENTS],
+  [`CallExpression[callee.property.name=${INSERTING}] > ${MARKUP}.arguments`, ELEMENTS],
+  ['Property[key.name="html"][value.value=true]', 'A popover or tooltip shows text.'],
+  ['Property[key.name="sanitize"][value.value=false]', 'A popover or tooltip shows text.'],
 ];
+
+/** @type {Restrictions} */
 const EXPORTS = [
-  ['ExportDefaultDeclaration', 'Named exports only.'],
+  [':matches(ExportDefaultDeclaration, ExportSpecifier[exported.name="default"])', 'Named exports only.'],
   ['ExportAllDeclaration', 'No barrels.'],
 ];
+
+/** @type {Restrictions} */
+const GLOBAL_OBJECT = [
+  ['Identifier[name="globalThis"]', 'This folder runs without a browser: take what you need as a parameter.'],
+];
+
+/** @param {Restrictions[]} lists */
 const restrict = (...lists) => ['error', ...lists.flat().map(([selector, message]) => ({ selector, message }))];
 
 const noBrowserGlobals = Object.fromEntries(Object.keys(globals.browser).map((name) => [name, 'off']));
+/** These run unchanged in Node, in a worker and in the page. */
+const ANYWHERE = ['src/kinematics/**/*.js', 'src/karel/**/*.js', 'src/model/**/*.js', 'src/io/**/*.js'];
 
 export default [
   { ignores: ['dist/', '.cache/', 'coverage/', 'test-results/', 'playwright-report/'] },
   js.configs.recommended,
+  {
+    plugins: { denavit: { rules: { 'jsdoc-types': jsdocTypes } } },
+    rules: {
+      eqeqeq: 'error',
+      'prefer-const': 'error',
+      'no-var': 'error',
+      'object-shorthand': 'error',
+      'denavit/jsdoc-types': 'error',
+    },
+  },
   {
     files: ['src/**/*.js'],
     languageOptions: { globals: globals.browser },
@@ -53,11 +92,10 @@ export default [
       'max-lines': ['error', { max: 300, skipBlankLines: true, skipComments: true }],
     },
   },
-  { rules: { eqeqeq: 'error', 'prefer-const': 'error', 'no-var': 'error', 'object-shorthand': 'error' } },
   {
-    // These run unchanged in Node, in a worker and in the page.
-    files: ['src/kinematics/**/*.js', 'src/karel/**/*.js', 'src/model/**/*.js', 'src/io/**/*.js'],
+    files: ANYWHERE,
     languageOptions: { globals: { ...noBrowserGlobals, URLSearchParams: 'readonly', TextDecoder: 'readonly' } },
+    rules: { 'no-restricted-syntax': restrict(TIME_AND_CHANCE, UNITS, HTML_FROM_TEXT, EXPORTS, GLOBAL_OBJECT) },
   },
   {
     // The clock is where time, and its milliseconds, come in.
@@ -65,8 +103,13 @@ export default [
     rules: { 'no-restricted-syntax': restrict(HTML_FROM_TEXT, EXPORTS) },
   },
   {
+    // The composition root is where chance and the date come in.
+    files: ['src/main.js'],
+    rules: { 'no-restricted-syntax': restrict(UNITS, HTML_FROM_TEXT, EXPORTS) },
+  },
+  {
     files: ['src/model/units.js'],
-    rules: { 'no-restricted-syntax': restrict(TIME_AND_CHANCE, HTML_FROM_TEXT, EXPORTS) },
+    rules: { 'no-restricted-syntax': restrict(TIME_AND_CHANCE, HTML_FROM_TEXT, EXPORTS, GLOBAL_OBJECT) },
   },
   { files: ['src/ui/messages.js'], rules: { 'no-console': 'off', 'no-alert': 'off' } },
   {

@@ -1,0 +1,44 @@
+/**
+ * Browser tests, on the production build in dist. One browser, one worker, no second chances: a test that passes
+ * sometimes is a fault.
+ */
+import { defineConfig } from '@playwright/test';
+import { LAUNCH_ARGUMENTS } from './scripts/browserLaunch.mjs';
+import { ensureBrowser, rememberedBrowser } from './scripts/ensureBrowser.mjs';
+import { freePort } from './scripts/freePort.mjs';
+
+const { executablePath } = rememberedBrowser() ?? (await ensureBrowser());
+// Playwright reads this file again in each worker, which must come to the same address.
+process.env.DENAVIT_TEST_PORT ??= String(await freePort());
+const port = process.env.DENAVIT_TEST_PORT;
+const deep = Boolean(process.env.DENAVIT_DEEP);
+
+export default defineConfig({
+  testDir: 'tests/browser',
+  testMatch: '**/*.spec.js',
+  outputDir: 'test-results',
+  // Canvas pixels are the same wherever SwiftShader draws them, so pictures are not kept per platform.
+  snapshotPathTemplate: 'tests/browser/pictures/{arg}{ext}',
+  workers: 1,
+  retries: 0,
+  timeout: deep ? 600_000 : 60_000, // guards against hanging: the machine may be slow, so nothing is measured by them
+  expect: { timeout: 15_000, toHaveScreenshot: { maxDiffPixels: 20, animations: 'disabled' } },
+  reporter: [['list']],
+  use: {
+    baseURL: `http://127.0.0.1:${port}/`,
+    viewport: { width: 1366, height: 768 },
+    contextOptions: { reducedMotion: 'reduce' },
+    locale: 'en-GB',
+    timezoneId: 'UTC',
+    launchOptions: { executablePath, args: LAUNCH_ARGUMENTS },
+    trace: 'retain-on-failure',
+    video: 'off',
+  },
+  webServer: {
+    command: `node node_modules/vite/bin/vite.js preview --host 127.0.0.1 --port ${port} --strictPort`,
+    url: `http://127.0.0.1:${port}/`,
+    reuseExistingServer: false,
+    stdout: 'ignore',
+    stderr: 'pipe',
+  },
+});

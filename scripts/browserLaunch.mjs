@@ -1,0 +1,41 @@
+/** How the browser tests start a browser, and whether one starts that way. */
+import { chromium } from 'playwright';
+
+/**
+ * The same pixels everywhere: WebGL in software, one colour profile, no font hinting. Never --disable-gpu, which changes
+ * how the rest of the page is drawn.
+ */
+export const LAUNCH_ARGUMENTS = [
+  '--use-angle=swiftshader',
+  '--force-color-profile=srgb',
+  '--font-render-hinting=none',
+  '--disable-lcd-text',
+];
+
+/**
+ * Starts the browser, opens a page and asks for WebGL 2, without which the tests could not see the arm.
+ * @param {string} executablePath
+ * @returns {Promise<{ version: string, problem?: undefined } | { problem: string }>}
+ */
+export async function tryBrowser(executablePath) {
+  let browser;
+  try {
+    browser = await chromium.launch({ executablePath, args: LAUNCH_ARGUMENTS, timeout: 60_000 });
+    const page = await browser.newPage();
+    const hasWebgl = await page.evaluate(() => document.createElement('canvas').getContext('webgl2') !== null);
+    return hasWebgl ? { version: browser.version() } : { problem: 'starts, but offers no WebGL 2' };
+  } catch (error) {
+    return { problem: `does not start (${reasonOf(/** @type {Error} */ (error))})` };
+  } finally {
+    await browser?.close();
+  }
+}
+
+/**
+ * The one telling line of Playwright's long report: what the browser itself said last, where it said something.
+ * @param {Error} error
+ */
+function reasonOf({ message }) {
+  const lines = message.split('\n').map((line) => line.replace(/^[\s-]*(\[pid=\d+\])?(\[err\])?\s*/, ''));
+  return lines.find((line) => /error while loading|cannot open|not found|ENOENT|EACCES/i.test(line)) ?? lines[0];
+}

@@ -11,10 +11,15 @@ export default defineConfig({
     rolldownOptions: {
       output: {
         codeSplitting: {
-          // Apart, because they change only with package-lock.json: a new version of the page reuses them from the cache.
+          // Apart, because they seldom change: a new version of the page finds them in the browser's cache.
+          // Only what the first load needs anyway; what is imported when needed stays with those who import it.
           groups: [
-            { name: 'three', test: /[\\/]node_modules[\\/]three[\\/]/ },
-            { name: 'bootstrap', test: /[\\/]node_modules[\\/](bootstrap|@popperjs|jquery)[\\/].*js$/ },
+            { name: 'three', test: /[\\/]node_modules[\\/]three[\\/]/, tags: ['$initial'] },
+            {
+              name: 'bootstrap',
+              test: /[\\/]node_modules[\\/](bootstrap|@popperjs|jquery)[\\/].*js$/,
+              tags: ['$initial'],
+            },
           ],
         },
       },

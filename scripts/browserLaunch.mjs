@@ -37,5 +37,6 @@ export async function tryBrowser(executablePath) {
  */
 function reasonOf({ message }) {
   const lines = message.split('\n').map((line) => line.replace(/^[\s-]*(\[pid=\d+\])?(\[err\])?\s*/, ''));
-  return lines.find((line) => /error while loading|cannot open|not found|ENOENT|EACCES/i.test(line)) ?? lines[0];
+  const telling = lines.find((line) => /error while loading|cannot open|not found|ENOENT|EACCES/i.test(line));
+  return telling ?? (lines[0].includes('has been closed') ? 'it ends at once' : lines[0]);
 }

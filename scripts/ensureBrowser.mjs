@@ -4,7 +4,7 @@
  * package. Each is started once to see that it works; one that does not is passed over, saying why.
  */
 import { spawnSync } from 'node:child_process';
-import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, realpathSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { browserCandidates } from './browserCandidates.mjs';
@@ -51,12 +51,14 @@ export async function ensureBrowser(say = console.log) {
    */
   async function firstWorking(paths) {
     for (const executablePath of paths) {
-      if (!executablePath || tried.has(executablePath)) continue;
-      tried.add(executablePath);
+      if (!executablePath) continue;
       if (!existsSync(executablePath)) {
         if (executablePath === wished) say(`CHROMIUM_PATH names ${wished}, which does not exist; looking elsewhere.`);
         continue;
       }
+      const file = realpathSync(executablePath); // /bin and /usr/bin are often the same folder
+      if (tried.has(file)) continue;
+      tried.add(file);
       const result = await tryBrowser(executablePath);
       if (result.problem === undefined) return remember({ executablePath, version: result.version, wished });
       say(`Passing over ${executablePath}: it ${result.problem}.`);
@@ -74,7 +76,7 @@ export async function ensureBrowser(say = console.log) {
   if (found) return found;
 
   say('No installed Chromium or Chrome works; trying "playwright install chromium".');
-  tried.delete(chromium.executablePath());
+  tried.clear();
   const downloaded = installWithPlaywright() && (await firstWorking([chromium.executablePath()]));
   if (downloaded) return downloaded;
 

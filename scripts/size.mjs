@@ -65,10 +65,14 @@ function main() {
   const table = [
     ['file', 'kB', 'gzip', 'brotli', 'fetched'],
     ...sizes.map((size) => row(size.path, size, size.first ? 'first' : 'when needed')),
-    row('first load', first, `at most ${kilobytes(FIRST_LOAD_LIMIT)}`),
-    row('everything', all, `at most ${kilobytes(TOTAL_LIMIT)}`),
+    row('first load', first, ''),
+    row('everything', all, ''),
   ];
   console.log(formatTable(table, [1, 2, 3]));
+  const [firstOf, allOf] = [FIRST_LOAD_LIMIT, TOTAL_LIMIT].map(kilobytes);
+  console.log(
+    `\nFirst load ${kilobytes(first.brotli)} of ${firstOf} kB brotli, everything ${kilobytes(all.brotli)} of ${allOf}.`,
+  );
   for (const fault of faults) console.error(fault);
   process.exitCode = faults.length > 0 ? 1 : 0;
 }

@@ -30,15 +30,15 @@ const steps = (noBrowser) => [
       '--config',
       '.dependency-cruiser.cjs',
     ],
-    summary: /\d+ modules.*cruised/,
+    summary: /no dependency violations found \((.*)\)|\d+ dependency violations/,
   },
   {
     name: 'unit',
     command: ['node_modules/vitest/vitest.mjs', 'run', '--allowOnly=false'],
-    summary: /^\s*Tests\s+(.*)$/m,
+    summary: /^\s*(Test Files.*\n\s*Tests.*)$/m,
   },
   { name: 'build', command: ['node_modules/vite/bin/vite.js', 'build', '--logLevel', 'warn'] },
-  { name: 'size', command: ['scripts/size.mjs'], needs: 'build', summary: /^first load.*$/m },
+  { name: 'size', command: ['scripts/size.mjs'], needs: 'build', summary: /^First load .*$/m },
   {
     name: 'browser',
     command: ['node_modules/@playwright/test/cli.js', 'test', '--forbid-only'],

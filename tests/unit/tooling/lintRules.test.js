@@ -37,6 +37,12 @@ const REFUSED = [
   ['degrees by Three.js', 'src/render/x.js', 'export const f = (m, a) => m.degToRad(a);', /units\.js/],
 
   ['markup set', 'src/ui/x.js', 'export const f = (e, s) => { e.innerHTML = s; };', /dom\.js/],
+  [
+    'markup set where there is no page',
+    'src/model/x.js',
+    'export const f = (e, s) => { e.innerHTML = s; };',
+    /dom\.js/,
+  ],
   ['markup added', 'src/ui/x.js', 'export const f = (e, s) => { e.outerHTML += s; };', /dom\.js/],
   ['markup set by key', 'src/ui/x.js', "export const f = (e, s) => { e['innerHTML'] = s; };", /dom\.js/],
   [

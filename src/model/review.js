@@ -14,7 +14,10 @@ import { shownValue } from './validateValues.js';
 /** No arm on sale is so small; one typed in metres and declared in millimetres is. */
 const SMALL_METRES = 0.01;
 
-/** Double precision resolves a nanometre up to here (2⁻⁵² · 10⁶ m = 0.2 nm). Exact tables of nearly parallel axes, tens of kilometres, stay below. */
+/**
+ * Double precision resolves a nanometre up to here (2⁻⁵² · 10⁶ m = 0.2 nm). The exact tables of real arms with nearly
+ * parallel axes stay below: they have offsets of tens of kilometres.
+ */
 const LARGE_METRES = 1e6;
 
 /**
@@ -36,15 +39,16 @@ function* extentIssues({ joints, units }) {
   const travel = (/** @type {JointDoc} */ { lower = 0, upper = 0 }) => Math.max(metres(lower), metres(upper));
   const lengths = joints.flatMap((joint) => [metres(joint.a), metres(joint.d), isSliding(joint) ? travel(joint) : 0]);
   const total = lengths.reduce((sum, length) => sum + length, 0);
-  const declared = `its length unit is "${units.length}"`;
+  const doubt = `so its length unit "${units.length}" may be wrong`;
+  const longest = Math.max(...lengths);
   if (total === 0) {
     const message = 'All link lengths and offsets of the robot are 0, so all its joints are in one place.';
     yield documentIssue('no-extent', 'robot.joints', message);
   } else if (total < SMALL_METRES) {
-    const message = `All links of the robot together are ${Number(total.toPrecision(3))} m long; ${declared}.`;
+    const message = `All links of the robot together are ${Number(total.toPrecision(3))} m long, ${doubt}.`;
     yield documentIssue('very-small', 'robot.units.length', message);
-  } else if (Math.max(...lengths) > LARGE_METRES) {
-    const message = `A link of the robot is ${Math.max(...lengths)} m long, too long to compute positions to a nanometre; ${declared}.`;
+  } else if (longest > LARGE_METRES) {
+    const message = `A link of the robot is ${longest} m long, ${doubt}, and positions are not exact to a nanometre.`;
     yield documentIssue('very-large', 'robot.units.length', message);
   }
 }

@@ -1,0 +1,67 @@
+/**
+ * What can be wrong with a file as a file; what can be wrong with the document in it is in model/issues.js. Codes are
+ * stable: tests and translations use them. A message is one sentence and begins with the line, where there is one.
+ *
+ * @import { Issue } from '../model/issues.js'
+ * @typedef {keyof typeof FILE_ISSUES} FileIssueCode
+ */
+export const FILE_ISSUES = Object.freeze({
+  // bytes and text
+  empty: 'error',
+  'too-large': 'error',
+  'not-text': 'error', // bytes that are no text in UTF-8, or in UTF-16 with a byte order mark
+  encoding: 'warning', // declared otherwise than it is
+  utf16: 'warning',
+  // XML
+  doctype: 'error',
+  'too-many-elements': 'error',
+  'too-deep': 'error',
+  'attribute-length': 'error',
+  'not-xml': 'error', // not well-formed
+  namespace: 'error', // a prefix that is not declared, or declared wrongly
+  // which file this is
+  'not-a-robot': 'error', // another root element, or namespace
+  version: 'error',
+  'newer-version': 'warning',
+  // its structure
+  'unknown-element': 'error',
+  'missing-element': 'error',
+  'too-many-of-element': 'error',
+  'unexpected-text': 'error',
+  'unknown-attribute': 'error',
+  'missing-attribute': 'error',
+  'older-name': 'warning',
+  // its values
+  number: 'error',
+  choice: 'error',
+  pattern: 'error', // ids and colours
+  'text-length': 'error',
+  'quaternion-rounded': 'warning', // brought to length 1
+  'not-finite': 'error', // the arm has no computable pose
+});
+
+/**
+ * @param {FileIssueCode} code
+ * @param {string} message  begins with a capital or with a name; the line comes in front of it here
+ * @param {{ line?: number, path?: string }} [where]
+ * @returns {Issue}
+ */
+export function fileIssue(code, message, { line, path = '' } = {}) {
+  const severity = /** @type {Issue['severity']} */ (FILE_ISSUES[code]); // Object.freeze keeps the words' types too wide
+  return atLine({ severity, code, path, message }, line);
+}
+
+/**
+ * An issue of a document, with the line of the file that it is about.
+ * @param {Issue} issue
+ * @param {number | undefined} line
+ * @returns {Issue}
+ */
+export function atLine(issue, line) {
+  if (line === undefined) return issue;
+  const sentence = issue.message.replace(/^[A-Z](?=[a-z ])/, (letter) => letter.toLowerCase());
+  return { ...issue, line, message: `Line ${line}: ${sentence}` };
+}
+
+/** @param {readonly Issue[]} issues */
+export const hasErrors = (issues) => issues.some(({ severity }) => severity === 'error');

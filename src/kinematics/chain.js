@@ -2,21 +2,9 @@
  * A serial Denavit–Hartenberg chain, checked once and frozen, in metres and radians. Everything else in this folder takes
  * one; nothing changes one.
  *
+ * @import { Convention, Joint, JointRow } from './joint.js'
  * @import { Packed } from './packed.js'
  * @import { Pose } from './pose.js'
- *
- * @typedef {'standard' | 'modified'} Convention
- *
- * @typedef {object} JointRow
- * @property {'revolute' | 'prismatic'} type
- * @property {number} a      link length, m
- * @property {number} alpha  link twist, rad
- * @property {number} d      link offset, m; the joint value adds to it if the joint slides
- * @property {number} theta  joint angle, rad; the joint value adds to it if the joint turns
- * @property {number} [lower]  limits of the joint value; missing means unlimited
- * @property {number} [upper]
- *
- * @typedef {Required<Readonly<JointRow>>} Joint
  *
  * @typedef {object} ChainDescription
  * @property {Convention} convention
@@ -35,34 +23,10 @@
  * @property {number} characteristicLength  m; an angle times this is worth as much as a displacement (reach.js)
  * @property {Packed} packed
  */
+import { checkedJoint, show } from './joint.js';
 import { pack } from './packed.js';
 import { identity, requirePose } from './pose.js';
 import { measureReach } from './reach.js';
-
-/** @param {unknown} value */
-const show = (value) => (typeof value === 'string' ? `'${value}'` : String(value));
-
-/** @param {JointRow} row @param {number} index @returns {Joint} */
-function checkedJoint(row, index) {
-  const name = `joint ${index + 1}`;
-  const { type, a, alpha, d, theta, lower = -Infinity, upper = Infinity } = row;
-  if (type !== 'revolute' && type !== 'prismatic') {
-    throw new RangeError(`Expected ${name} to be 'revolute' or 'prismatic', got ${show(type)}.`);
-  }
-  for (const [field, value] of Object.entries({ a, alpha, d, theta })) {
-    if (!Number.isFinite(value))
-      throw new RangeError(`Expected ${name}'s ${field} to be a finite number, got ${show(value)}.`);
-  }
-  for (const [field, value] of Object.entries({ lower, upper })) {
-    if (typeof value !== 'number' || Number.isNaN(value)) {
-      throw new RangeError(`Expected ${name}'s ${field} limit to be a number, got ${show(value)}.`);
-    }
-  }
-  if (lower > upper || lower === Infinity || upper === -Infinity) {
-    throw new RangeError(`Expected ${name}'s lower limit to be at most its upper limit, got ${lower} and ${upper}.`);
-  }
-  return Object.freeze({ type, a, alpha, d, theta, lower, upper });
-}
 
 /**
  * Throws if the description is not of a chain: that is a caller's mistake; a person's has been turned into an issue before.

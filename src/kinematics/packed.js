@@ -8,7 +8,7 @@
  * The trigonometry of the constants is done here, once, and exactly for right angles; at q = 0 it stays exact, since
  * cos(θ + q) = cos θ cos q − sin θ sin q.
  *
- * @import { Convention, Joint } from './chain.js'
+ * @import { Convention, Joint } from './joint.js'
  * @import { Pose } from './pose.js'
  *
  * @typedef {object} Packed   for this folder only, never to be written to

@@ -102,7 +102,7 @@ function stretch(T) {
 }
 
 /**
- * The characteristic length is the reach that the arm has while every unlimited slide stands at zero, or 1 m if that is
+ * The characteristic length is half the reach that the arm has while every unlimited slide stands at zero, or 1 m if that is
  * nothing: it grows with the arm, in every unit, and does not depend on which of the many valid tables describes it.
  * @param {Packed} packed
  * @returns {{ shoulder: readonly [number, number, number], reach: number, characteristicLength: number }}
@@ -136,6 +136,6 @@ export function measureReach(packed) {
       start[14] + along * start[10],
     ]),
     reach: isUnlimited ? Infinity : shortest * stretch(start),
-    characteristicLength: shortest > 0 ? shortest : 1,
+    characteristicLength: shortest > 0 ? shortest / 2 : 1,
   };
 }

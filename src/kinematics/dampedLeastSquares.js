@@ -1,0 +1,258 @@
+/**
+ * Damped least squares (Levenberg–Marquardt) on the finite-difference Jacobian, inside the joint limits: from one posture
+ * downhill to one posture. Allocates nothing.
+ *
+ * What is minimised is ½ (|position error| / L)² + ½ |orientation error|², with L the chain's characteristic length; slides
+ * count in units of L too. So the search is the same in every unit and at every scale.
+ *
+ * The damping is proportional to what is minimised (Chan & Lawrence 1988; the factor was tried from 0.01 to 3 on generated
+ * poses of 22 arms, and hardly matters between 0.03 and 0.3), more while steps fail. A step may go uphill for a while, as
+ * long as it stays below the worst of the last few (Grippo, Lampariello & Lucidi 1986): near a singularity the way down is
+ * a narrow bent valley, and a search that may only descend stands still in it a hundred times as often.
+ *
+ * @import { Chain } from './chain.js'
+ * @import { Work } from './differences.js'
+ * @import { Packed } from './packed.js'
+ * @import { Pose } from './pose.js'
+ * @import { TaskName } from './task.js'
+ *
+ * @typedef {object} Search
+ * @property {Packed} packed
+ * @property {number} length      the characteristic length
+ * @property {Float64Array} unit  per joint: radians or metres in one unit of the step
+ * @property {Pose} goal          seen from the origin of the chain's `start`, as Work is
+ * @property {number} positionTolerance
+ * @property {number} orientationTolerance
+ * @property {number} maxIterations
+ * @property {boolean} isBounded  whether the limits hold
+ * @property {TaskName} task
+ * @property {number} spare       weight of what the task leaves free
+ * @property {number} memory      how many costs back a step is compared with: 1 to WINDOW; 1 never goes uphill
+ * @property {Float64Array} q     where the search is
+ * @property {number} cost        what is minimised, at q
+ * @property {number} iterations  in all descents so far
+ * @property {Work} work
+ * @property {Float64Array} J
+ * @property {Float64Array} H
+ * @property {Float64Array} gradient
+ * @property {Float64Array} step
+ * @property {Float64Array} trial
+ * @property {Float64Array} residual
+ * @property {Float64Array} recent   the last costs
+ *
+ * @typedef {'met' | 'rest' | 'cut'} Descent  within tolerance; nothing improves any more; iterations spent before either
+ */
+import { solveCholesky } from './cholesky.js';
+import { createWork, writeDifferences, writeFrames } from './differences.js';
+import { DEFAULT_STEP } from './jacobian.js';
+import { bringInside, isSlide } from './limits.js';
+import { poseDifference } from './pose.js';
+import { shapeJacobian, shapeResidual, taskTurn } from './task.js';
+
+const DAMPING = 0.1;
+const LEAST_DAMPING = 1e-14; // of squares of order 1: only keeps a rank-deficient system solvable
+const MORE_DAMPING = 4;
+const LESS_DAMPING = 0.25;
+const TRIES = 6;
+
+/** Standstill: this many iterations in a row that leave more than this share of the least cost so far. */
+const PATIENCE = 6;
+const SHARE = 0.98;
+
+/** How many of the last costs a step may stay below the worst of. */
+export const WINDOW = 8;
+
+/**
+ * So near the goal (error / L, squared) a standstill is most likely the bend of a valley that is narrower than the step:
+ * a few undamped steps are taken, uphill or not, before the search gives up.
+ */
+const NEARLY_MET = 1e-8;
+const LEAPS = 5;
+
+/**
+ * One search for each number of joints, used again and again: allocating its arrays takes longer than most solves. Nothing
+ * in this folder calls back, so no two searches are ever under way.
+ * @type {Search[]}
+ */
+const searches = [];
+
+/** @param {Packed} packed @param {number} dof @returns {Search} */
+const allocateSearch = (packed, dof) => ({
+  packed,
+  length: 1,
+  unit: new Float64Array(dof),
+  goal: new Float64Array(16),
+  positionTolerance: 0,
+  orientationTolerance: 0,
+  maxIterations: 0,
+  isBounded: true,
+  task: 'pose',
+  spare: 0,
+  memory: WINDOW,
+  q: new Float64Array(dof),
+  cost: Infinity,
+  iterations: 0,
+  work: createWork(dof),
+  J: new Float64Array(6 * dof),
+  H: new Float64Array(dof * dof),
+  gradient: new Float64Array(dof),
+  step: new Float64Array(dof),
+  trial: new Float64Array(dof),
+  residual: new Float64Array(6),
+  recent: new Float64Array(WINDOW),
+});
+
+/**
+ * A search for the whole pose, inside the limits. It is good until the next one is prepared.
+ * @param {Chain} chain
+ * @param {ArrayLike<number>} T_base_goal
+ * @param {{ positionTolerance: number, orientationTolerance: number, maxIterations: number }} options
+ * @returns {Search}
+ */
+export function prepareSearch({ packed, dof, characteristicLength }, T_base_goal, options) {
+  const search = (searches[dof] ??= allocateSearch(packed, dof));
+  search.packed = packed;
+  search.length = characteristicLength;
+  for (let i = 0; i < dof; i++) search.unit[i] = isSlide(packed, i) ? characteristicLength : 1;
+  search.goal.set(T_base_goal);
+  for (let k = 12; k < 15; k++) search.goal[k] -= packed.start[k];
+  search.positionTolerance = options.positionTolerance;
+  search.orientationTolerance = options.orientationTolerance;
+  search.maxIterations = options.maxIterations;
+  search.isBounded = true;
+  search.task = 'pose';
+  search.spare = 0;
+  search.memory = WINDOW;
+  search.iterations = 0;
+  return search;
+}
+
+/**
+ * The weighted residual at a posture.
+ * @param {Search} search
+ * @param {Float64Array} q
+ * @returns {boolean} whether the task is met within tolerance; `search.cost` says how far it is
+ */
+function measure(search, q) {
+  const { packed, work, goal, task, spare, length, residual: r } = search;
+  writeFrames(packed, q, work);
+  poseDifference(work.tcp, goal, r);
+  const distance = Math.sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]);
+  const turn = taskTurn(task, work.tcp, goal, r);
+  if (task !== 'pose') shapeResidual(task, spare, work.tcp, goal, r);
+  r[0] /= length;
+  r[1] /= length;
+  r[2] /= length;
+  search.cost = 0.5 * (r[0] * r[0] + r[1] * r[1] + r[2] * r[2] + r[3] * r[3] + r[4] * r[4] + r[5] * r[5]);
+  return distance <= search.positionTolerance && turn <= search.orientationTolerance;
+}
+
+/**
+ * The weighted Jacobian and the gradient at the posture that was measured last.
+ * @param {Search} search
+ */
+function linearise({ packed, work, task, spare, length, unit, J, residual: r, gradient }) {
+  writeDifferences(packed, work, DEFAULT_STEP.forward, DEFAULT_STEP.forward * length, J);
+  shapeJacobian(task, spare, work.tcp, J);
+  for (let i = 0, c = 0; i < unit.length; i++, c += 6) {
+    const linear = unit[i] / length;
+    J[c] *= linear;
+    J[c + 1] *= linear;
+    J[c + 2] *= linear;
+    J[c + 3] *= unit[i];
+    J[c + 4] *= unit[i];
+    J[c + 5] *= unit[i];
+    gradient[i] = J[c] * r[0] + J[c + 1] * r[1] + J[c + 2] * r[2] + J[c + 3] * r[3] + J[c + 4] * r[4] + J[c + 5] * r[5];
+  }
+}
+
+/**
+ * Solve (JᵀJ + damping) step = gradient for the joints that are not held by a limit.
+ * @param {Search} search
+ * @param {number} damping
+ * @returns {boolean}
+ */
+function solveStep({ packed: { lower, upper }, isBounded, q, J, H, gradient, step }, damping) {
+  const n = q.length;
+  for (let i = 0, a = 0; i < n; i++, a += 6) {
+    for (let j = 0, b = 0; j <= i; j++, b += 6) {
+      H[i * n + j] =
+        J[a] * J[b] +
+        J[a + 1] * J[b + 1] +
+        J[a + 2] * J[b + 2] +
+        J[a + 3] * J[b + 3] +
+        J[a + 4] * J[b + 4] +
+        J[a + 5] * J[b + 5];
+    }
+    H[i * n + i] += damping;
+  }
+  for (let i = 0; isBounded && i < n; i++) {
+    const isHeld = (q[i] <= lower[i] && gradient[i] <= 0) || (q[i] >= upper[i] && gradient[i] >= 0);
+    if (!isHeld) continue;
+    for (let j = 0; j < n; j++) H[Math.max(i, j) * n + Math.min(i, j)] = 0;
+    H[i * n + i] = 1;
+    gradient[i] = 0;
+  }
+  return solveCholesky(H, gradient, step);
+}
+
+/**
+ * Where the next step goes, into `search.trial`.
+ * @param {Search} search
+ */
+function takeStep({ packed, isBounded, q, trial, step, unit }) {
+  for (let i = 0; i < q.length; i++) {
+    const value = q[i] + step[i] * unit[i];
+    trial[i] = isBounded ? bringInside(packed, i, value) : value;
+  }
+}
+
+/**
+ * From `search.q` downhill; `search.q` and `search.cost` are where it ended.
+ * @param {Search} search
+ * @returns {Descent}
+ */
+export function descend(search) {
+  const { q, trial, recent, memory, maxIterations } = search;
+  let isMet = measure(search, q);
+  let least = Infinity;
+  let slow = 0;
+  let damping = DAMPING;
+  let leaps = memory > 1 ? LEAPS : 0;
+  recent.fill(0);
+  for (let iteration = 0; ; iteration++) {
+    if (isMet && search.spare === 0) return 'met';
+    if (iteration === maxIterations) return 'cut';
+    const { cost } = search;
+    slow = cost > SHARE * least ? slow + 1 : 0;
+    least = Math.min(least, cost);
+    recent[iteration % memory] = cost;
+    let worst = 0;
+    for (let k = 0; k < memory; k++) worst = Math.max(worst, recent[k]);
+
+    search.iterations++;
+    linearise(search);
+    let isBetter = false;
+    for (let tries = 0; slow < PATIENCE && tries < TRIES && !isBetter; tries++) {
+      if (!solveStep(search, damping * cost + LEAST_DAMPING)) break;
+      takeStep(search);
+      isMet = measure(search, trial);
+      isBetter = isMet || search.cost < worst;
+      damping = isBetter ? Math.max(DAMPING, damping * LESS_DAMPING) : damping * MORE_DAMPING;
+    }
+    if (!isBetter) {
+      const canLeap = cost < NEARLY_MET && leaps-- > 0 && solveStep(search, LEAST_DAMPING);
+      if (!canLeap) {
+        measure(search, q);
+        return 'rest';
+      }
+      takeStep(search);
+      isMet = measure(search, trial);
+      recent.fill(0);
+      least = Infinity;
+      slow = 0;
+      damping = DAMPING;
+    }
+    q.set(trial);
+  }
+}

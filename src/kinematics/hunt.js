@@ -1,0 +1,146 @@
+/**
+ * The searches behind inverse kinematics: many descents, the first from the seed and the others from anywhere, until one
+ * does what is asked. Each leaves its answer in `hunt.search.q`.
+ *
+ * @import { Chain } from './chain.js'
+ * @import { Search } from './dampedLeastSquares.js'
+ * @import { TaskName } from './task.js'
+ * @import { Excess } from './verdict.js'
+ *
+ * @typedef {object} HuntOptions
+ * @property {Float64Array} seed   inside the limits
+ * @property {number} randomSeed
+ * @property {number} positionTolerance
+ * @property {number} orientationTolerance
+ * @property {number} maxIterations
+ *
+ * @typedef {object} Hunt
+ * @property {Chain} chain
+ * @property {Search} search
+ * @property {Float64Array} seed
+ * @property {() => number} random
+ * @property {number} travel   how far from zero an unlimited slide is looked for, m
+ * @property {number} starts   descents begun somewhere, so far
+ * @property {Float64Array} best   of all postures inside the limits, the nearest to the whole pose
+ * @property {number} bestCost
+ * @property {boolean} wasCut  whether a descent to the whole pose ran out of iterations before it came to rest
+ */
+import { prepareSearch, descend, WINDOW } from './dampedLeastSquares.js';
+import { bringInside, fillRandomPosture } from './limits.js';
+import { createRandom } from './random.js';
+import { worstExcess } from './verdict.js';
+
+/** A posture this little outside its limits (rad, or characteristic lengths) may have a neighbour inside that will do. */
+const NEARLY_INSIDE = 1e-2;
+
+/** What a task leaves free is pursued with this weight first, and then let go while the task itself is met exactly. */
+const SPARE = 0.03;
+
+/**
+ * @param {Chain} chain
+ * @param {ArrayLike<number>} T_base_goal
+ * @param {HuntOptions} options
+ * @returns {Hunt}
+ */
+export function createHunt(chain, T_base_goal, options) {
+  const { seed, randomSeed } = options;
+  const away = Math.hypot(...chain.shoulder.map((value, k) => T_base_goal[12 + k] - value));
+  return {
+    chain,
+    search: prepareSearch(chain, T_base_goal, options),
+    seed,
+    random: createRandom(randomSeed),
+    travel: away + 2 * chain.characteristicLength,
+    starts: 0,
+    best: Float64Array.from(seed),
+    bestCost: Infinity,
+    wasCut: false,
+  };
+}
+
+/**
+ * @param {Hunt} hunt
+ * @param {TaskName} task
+ * @param {number} restarts
+ * @param {() => boolean} tryFromHere  descends from search.q; true ends the search
+ */
+function seek(hunt, task, restarts, tryFromHere) {
+  const { search, seed, random, travel } = hunt;
+  search.task = task;
+  for (let k = 0; k <= restarts; k++) {
+    if (k === 0) search.q.set(seed);
+    else fillRandomPosture(search.packed, random, travel, search.q);
+    hunt.starts++;
+    if (tryFromHere()) return true;
+  }
+  return false;
+}
+
+/** Downhill inside the limits to the whole pose, keeping the best. @param {Hunt} hunt */
+function tryPose(hunt) {
+  const { search } = hunt;
+  const end = descend(search);
+  if (end === 'cut') hunt.wasCut = true;
+  if (search.cost < hunt.bestCost) {
+    hunt.bestCost = search.cost;
+    hunt.best.set(search.q);
+  }
+  return end === 'met';
+}
+
+/** Downhill inside the limits to a lesser task, the free part first as near as may be. @param {Hunt} hunt */
+function tryTask({ search }) {
+  search.spare = SPARE;
+  descend(search);
+  search.spare = 0;
+  return descend(search) === 'met';
+}
+
+/**
+ * The task, inside the limits.
+ * @param {Hunt} hunt
+ * @param {TaskName} task
+ * @param {number} restarts
+ */
+export const seekInside = (hunt, task, restarts) =>
+  seek(hunt, task, restarts, () => (task === 'pose' ? tryPose(hunt) : tryTask(hunt)));
+
+/**
+ * The task, ignoring the limits: of all solutions, how far the one that goes least past them does so. A solution that
+ * goes past by very little is brought inside and tried there, since that is where one at the limit is.
+ * @param {Hunt} hunt
+ * @param {TaskName} task
+ * @param {number} restarts
+ * @returns {{ isInside: boolean, least: Excess | null }}  least is null if no solution was found at all
+ */
+export function seekOutside(hunt, task, restarts) {
+  const { search, chain } = hunt;
+  /** @type {Excess[]} */
+  const found = [];
+  const isInside = seek(hunt, task, restarts, () => {
+    search.isBounded = false;
+    const isMet = descend(search) === 'met';
+    search.isBounded = true;
+    if (!isMet) return false;
+    const excess = worstExcess(chain, search.q);
+    found.push(excess);
+    if (excess.weight > NEARLY_INSIDE) return false;
+    for (let i = 0; i < chain.dof; i++) search.q[i] = bringInside(chain.packed, i, search.q[i]);
+    return task === 'pose' ? tryPose(hunt) : descend(search) === 'met';
+  });
+  found.sort((x, y) => x.weight - y.weight);
+  return { isInside, least: found[0] ?? null };
+}
+
+/**
+ * Take the best posture to the very bottom of where it lies, never uphill.
+ * @param {Hunt} hunt
+ */
+export function settle(hunt) {
+  const { search } = hunt;
+  search.task = 'pose';
+  search.memory = 1;
+  search.q.set(hunt.best);
+  tryPose(hunt);
+  search.memory = WINDOW;
+}

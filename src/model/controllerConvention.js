@@ -1,0 +1,39 @@
+/**
+ * A robot's controller convention in words, for the header of the code and for the person who compares numbers.
+ *
+ * @import { JointDoc, RobotDoc } from './document.js'
+ */
+import { quantityOf } from './document.js';
+
+/** Whether any joint value on the pendant differs from the model's. @param {RobotDoc} robot */
+export const hasControllerData = ({ joints }) =>
+  joints.some(({ controller }) => controller.sign !== 1 || controller.offset !== 0 || isCoupled(controller));
+
+/**
+ * One line for each joint, or one for all.
+ * @example
+ * conventionLines(robot) // → ['J1 = q1', 'J2 = q2', 'J3 = -q3 + 90 deg - J2']
+ * @param {RobotDoc} robot
+ * @returns {string[]}
+ */
+export function conventionLines(robot) {
+  if (hasControllerData(robot)) return robot.joints.map((joint, index) => line(robot, joint, index));
+  return ["the model's own joint values; it has no controller data, and the coupling of FANUC's J3 to J2 is not set"];
+}
+
+/** @param {RobotDoc} robot @param {JointDoc} joint @param {number} index */
+function line({ joints, units }, joint, index) {
+  const { sign, offset, coupling, coupledTo } = joint.controller;
+  const other = joints.findIndex(({ id }) => id === coupledTo) + 1;
+  const factor = Math.abs(coupling) === 1 ? '' : `${Math.abs(coupling)} `;
+  return [
+    `J${index + 1} = ${sign < 0 ? '-' : ''}q${index + 1}`,
+    ...(offset === 0 ? [] : [`${signOf(offset)} ${Math.abs(offset)} ${units[quantityOf(joint, 'home')]}`]),
+    ...(isCoupled(joint.controller) ? [`${signOf(coupling)} ${factor}J${other}`] : []),
+  ].join(' ');
+}
+
+/** @param {JointDoc['controller']} controller */
+const isCoupled = ({ coupledTo, coupling }) => coupledTo !== undefined && coupling !== 0;
+
+const signOf = (/** @type {number} */ value) => (value < 0 ? '-' : '+');

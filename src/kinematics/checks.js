@@ -1,13 +1,12 @@
 /**
  * Wrong calls, told apart from impossible wishes: these throw.
- * @import { Chain } from './chain.js'
  */
 
 /**
- * @param {Chain} chain
+ * @param {number} dof
  * @param {ArrayLike<number>} q
  */
-export function requirePosture({ dof }, q) {
+export function requirePosture(dof, q) {
   if (q === null || typeof q !== 'object') throw new TypeError(`Expected ${dof} joint values, got ${typeof q}.`);
   if (q.length !== dof) throw new RangeError(`Expected ${dof} joint values, got ${q.length}.`);
   for (let i = 0; i < dof; i++) {

@@ -43,7 +43,7 @@
  * @typedef {'met' | 'rest' | 'cut'} Descent  within tolerance; nothing improves any more; iterations spent before either
  */
 import { solveCholesky } from './cholesky.js';
-import { createWork, writeDifferences, writeFrames } from './differences.js';
+import { createWork, writeDifferences, writeWork } from './differences.js';
 import { DEFAULT_STEP } from './jacobian.js';
 import { bringInside, isSlide } from './limits.js';
 import { poseDifference } from './pose.js';
@@ -135,7 +135,7 @@ export function prepareSearch({ packed, dof, characteristicLength }, T_base_goal
  */
 function measure(search, q) {
   const { packed, work, goal, task, spare, length, residual: r } = search;
-  writeFrames(packed, q, work);
+  writeWork(packed, q, work);
   poseDifference(work.tcp, goal, r);
   const distance = Math.sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]);
   const turn = taskTurn(task, work.tcp, goal, r);

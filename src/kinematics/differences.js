@@ -15,7 +15,8 @@
  * @property {Float64Array} turns   3 · n: cos and sin of θ + q, and d + q
  * @property {Pose} tcp
  */
-import { COS_THETA, COS_TWIST, LENGTH, OFFSET, ROW, SIN_THETA, SIN_TWIST, SLIDES } from './packed.js';
+import { writeFrames } from './frames.js';
+import { COS_TWIST, LENGTH, ROW, SIN_TWIST, SLIDES } from './packed.js';
 import { compose, poseDifference } from './pose.js';
 
 /** sin² of an angle below which sin x / x is 1 − x²/6 to the last digit. */
@@ -32,94 +33,20 @@ export const createWork = (dof) => ({
 });
 
 /**
- * Forward kinematics that keeps what the differences need. (The loop of forward.js again, with its intermediate results
- * written down: sharing it would make either slower.)
+ * Forward kinematics that keeps what the differences need.
  * @param {Packed} packed
  * @param {ArrayLike<number>} q
  * @param {Work} work
  */
-export function writeFrames({ start, rows, tool, hasTool }, q, { frames, turns, tcp }) {
-  let x0 = start[0];
-  let x1 = start[1];
-  let x2 = start[2];
-  let y0 = start[4];
-  let y1 = start[5];
-  let y2 = start[6];
-  let z0 = start[8];
-  let z1 = start[9];
-  let z2 = start[10];
-  let p0 = 0;
-  let p1 = 0;
-  let p2 = 0;
-  let to = 0;
-  for (let i = 0, at = 0; ; i++, at += ROW, to += 16) {
-    frames[to] = x0;
-    frames[to + 1] = x1;
-    frames[to + 2] = x2;
-    frames[to + 4] = y0;
-    frames[to + 5] = y1;
-    frames[to + 6] = y2;
-    frames[to + 8] = z0;
-    frames[to + 9] = z1;
-    frames[to + 10] = z2;
-    frames[to + 12] = p0;
-    frames[to + 13] = p1;
-    frames[to + 14] = p2;
-    if (at === rows.length) break;
-    let cos = rows[at + COS_THETA];
-    let sin = rows[at + SIN_THETA];
-    let d = rows[at + OFFSET];
-    if (rows[at + SLIDES] === 1) {
-      d += q[i];
-    } else {
-      const c = Math.cos(q[i]);
-      const s = Math.sin(q[i]);
-      const turned = cos * c - sin * s;
-      sin = sin * c + cos * s;
-      cos = turned;
-    }
-    turns[3 * i] = cos;
-    turns[3 * i + 1] = sin;
-    turns[3 * i + 2] = d;
-    const a = rows[at + LENGTH];
-    const ca = rows[at + COS_TWIST];
-    const sa = rows[at + SIN_TWIST];
-    const u0 = cos * x0 + sin * y0;
-    const u1 = cos * x1 + sin * y1;
-    const u2 = cos * x2 + sin * y2;
-    const v0 = cos * y0 - sin * x0;
-    const v1 = cos * y1 - sin * x1;
-    const v2 = cos * y2 - sin * x2;
-    p0 += a * u0 + d * z0;
-    p1 += a * u1 + d * z1;
-    p2 += a * u2 + d * z2;
-    x0 = u0;
-    x1 = u1;
-    x2 = u2;
-    y0 = ca * v0 + sa * z0;
-    y1 = ca * v1 + sa * z1;
-    y2 = ca * v2 + sa * z2;
-    z0 = ca * z0 - sa * v0;
-    z1 = ca * z1 - sa * v1;
-    z2 = ca * z2 - sa * v2;
-  }
-  tcp[0] = x0;
-  tcp[1] = x1;
-  tcp[2] = x2;
-  tcp[4] = y0;
-  tcp[5] = y1;
-  tcp[6] = y2;
-  tcp[8] = z0;
-  tcp[9] = z1;
-  tcp[10] = z2;
-  tcp[12] = p0;
-  tcp[13] = p1;
-  tcp[14] = p2;
-  if (hasTool) compose(tcp, tool, tcp);
+export function writeWork(packed, q, { frames, turns, tcp }) {
+  writeFrames(packed, q, frames, { turns, isRelative: true, isAtJoints: false });
+  const flange = frames.length - 16;
+  for (let k = 0; k < 16; k++) tcp[k] = frames[flange + k];
+  if (packed.hasTool) compose(tcp, packed.tool, tcp);
 }
 
 /**
- * (p_i(x + h e_k) − p_i(x)) / h for every joint k at the posture that `writeFrames` was given last; for the orientation,
+ * (p_i(x + h e_k) − p_i(x)) / h for every joint k at the posture that `writeWork` was given last; for the orientation,
  * the rotation vector from T(x) to T(x + h e_k), over h. A negative step differs backwards.
  * @param {Packed} packed
  * @param {Work} work

@@ -5,17 +5,19 @@
  * @import { Pose } from './pose.js'
  */
 import { requirePosture, requireRoom } from './checks.js';
+import { writeFrames } from './frames.js';
 import { COS_THETA, COS_TWIST, LENGTH, OFFSET, ROW, SIN_THETA, SIN_TWIST, SLIDES } from './packed.js';
 import { compose } from './pose.js';
 
 /**
- * T_base_tcp, tool included, seen from the chain's root. Checks nothing: for loops that have checked before.
+ * T_base_tcp, tool included, seen from the chain's root. The loop of frames.js without the writing down: this is the
+ * function that is called most, and it takes half the time.
  * @param {Packed} packed
  * @param {ArrayLike<number>} q
  * @param {Pose} out
  * @returns {Pose}
  */
-export function writeTcpPose({ start, rows, tool, hasTool }, q, out) {
+function writeTcpPose({ start, rows, tool, hasTool }, q, out) {
   let x0 = start[0];
   let x1 = start[1];
   let x2 = start[2];
@@ -90,76 +92,27 @@ export function writeTcpPose({ start, rows, tool, hasTool }, q, out) {
  * @returns {Pose} T_base_tcp: the chain's base and tool are in it
  */
 export function tcpPose(chain, q, out = new Float64Array(16)) {
-  requirePosture(chain, q);
+  requirePosture(chain.dof, q);
   requireRoom(out, 16);
   return writeTcpPose(chain.packed, q, out);
 }
 
-/**
- * Z: F · Rz(θ) · Tz(d) at joint value q, in place, for the frame at `at`.
- * @param {Float64Array} frames
- * @param {number} at
- * @param {Float64Array} rows
- * @param {number} row
- * @param {number} q
- */
-function applyJoint(frames, at, rows, row, q) {
-  const slides = rows[row + SLIDES] === 1;
-  const d = rows[row + OFFSET] + (slides ? q : 0);
-  const c = slides ? 1 : Math.cos(q);
-  const s = slides ? 0 : Math.sin(q);
-  const cos = rows[row + COS_THETA] * c - rows[row + SIN_THETA] * s;
-  const sin = rows[row + SIN_THETA] * c + rows[row + COS_THETA] * s;
-  for (let k = at; k < at + 3; k++) {
-    const x = frames[k];
-    const y = frames[k + 4];
-    frames[k] = cos * x + sin * y;
-    frames[k + 4] = cos * y - sin * x;
-    frames[k + 12] += d * frames[k + 8];
-  }
-}
+/** Room for what linkFrames does not return, for each number of joints. @type {Float64Array[]} */
+const turnsFor = [];
 
 /**
- * X: F · Tx(a) · Rx(α), in place, for the frame at `at`.
- * @param {Float64Array} frames
- * @param {number} at
- * @param {Float64Array} rows
- * @param {number} row
- */
-function applyLink(frames, at, rows, row) {
-  const a = rows[row + LENGTH];
-  const cos = rows[row + COS_TWIST];
-  const sin = rows[row + SIN_TWIST];
-  for (let k = at; k < at + 3; k++) {
-    const y = frames[k + 4];
-    const z = frames[k + 8];
-    frames[k + 12] += a * frames[k];
-    frames[k + 4] = cos * y + sin * z;
-    frames[k + 8] = cos * z - sin * y;
-  }
-}
-
-/**
- * Every link's frame seen from the chain's root, as the book of the chain's convention places it: a standard frame i
- * stands at the far end of link i, a modified one on joint i.
+ * Every link's frame seen from the chain's root, where the book of the chain's convention puts it: a standard frame i at
+ * the far end of link i, a modified one on joint i.
  * @param {Chain} chain
  * @param {ArrayLike<number>} q
  * @param {Float64Array} [out]
  * @returns {Float64Array} 16 · (n + 1) numbers: frame 0 (the base), frame 1, … frame n (the flange; no tool)
  */
-export function linkFrames(chain, q, out = new Float64Array(16 * (chain.dof + 1))) {
-  requirePosture(chain, q);
-  requireRoom(out, 16 * (chain.dof + 1));
-  const { base, start, rows, isModified } = chain.packed;
-  out.set(base);
-  for (let i = 0; i < chain.dof; i++) {
-    const frame = 16 * (i + 1);
-    const row = ROW * i;
-    if (isModified && i === 0) out.set(start, frame);
-    else out.copyWithin(frame, frame - 16, frame);
-    if (isModified && i > 0) applyLink(out, frame, rows, row - ROW);
-    applyJoint(out, frame, rows, row, q[i]);
-    if (!isModified) applyLink(out, frame, rows, row);
-  }
+export function linkFrames({ dof, packed }, q, out = new Float64Array(16 * (dof + 1))) {
+  requirePosture(dof, q);
+  requireRoom(out, 16 * (dof + 1));
+  const turns = (turnsFor[dof] ??= new Float64Array(3 * dof));
+  writeFrames(packed, q, out, { turns, isRelative: false, isAtJoints: packed.isModified });
+  if (packed.isModified) out.set(packed.base); // `start` is past the first link
   return out;
 }

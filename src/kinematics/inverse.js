@@ -71,7 +71,7 @@ const FULL_POSE_JOINTS = 6;
 function checkedOptions(chain, options) {
   const { seed = middlePosture(chain.packed), randomSeed = 1, restarts = 200, maxIterations = 100 } = options;
   const { positionTolerance = 1e-9, orientationTolerance = 1e-9 } = options;
-  requirePosture(chain, seed);
+  requirePosture(chain.dof, seed);
   for (const [name, value] of Object.entries({ positionTolerance, orientationTolerance })) {
     if (!(value > 0 && value < Infinity)) throw new RangeError(`Expected ${name} to be positive, got ${value}.`);
   }

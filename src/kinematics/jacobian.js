@@ -4,11 +4,11 @@
  * The finite difference is the one that the product computes with; the geometric Jacobian is its check and a lesson, and
  * shares nothing with it but linkFrames.
  * @import { Chain } from './chain.js'
+ * @import { Work } from './differences.js'
  */
 import { requirePosture, requireRoom } from './checks.js';
-import { createWork, writeDifferences, writeFrames } from './differences.js';
+import { createWork, writeDifferences, writeWork } from './differences.js';
 import { linkFrames } from './forward.js';
-import { compose } from './pose.js';
 
 /**
  * The quotient errs by the curvature, about h/2 forward and h²/6 central, and by rounding, about 1e-16/h times the few
@@ -18,7 +18,20 @@ import { compose } from './pose.js';
 export const DEFAULT_STEP = { forward: 1e-7, central: 1e-5 };
 
 /**
- * ∂p_i/∂x_k ≈ (p_i(x + h e_k) − p_i(x)) / h. Orientation differences are rotation vectors.
+ * Room for each number of joints, used again and again: nothing here calls back, so no two calls are ever inside.
+ * @type {{ work: Work, backward: Float64Array, frames: Float64Array }[]}
+ */
+const rooms = [];
+const roomFor = (/** @type {number} */ dof) =>
+  (rooms[dof] ??= {
+    work: createWork(dof),
+    backward: new Float64Array(6 * dof),
+    frames: new Float64Array(16 * (dof + 1)),
+  });
+
+/**
+ * ∂p_i/∂x_k ≈ (p_i(x + h e_k) − p_i(x)) / h, or (p_i(x + h e_k) − p_i(x − h e_k)) / 2h. Orientation differences are rotation
+ * vectors. Allocates nothing when `out` is given.
  * @param {Chain} chain
  * @param {ArrayLike<number>} q
  * @param {object} [options]
@@ -34,14 +47,14 @@ export function finiteDifferenceJacobian(chain, q, options = {}) {
   }
   const { step = DEFAULT_STEP[method] } = options;
   if (!(step > 0 && step < Infinity)) throw new RangeError(`Expected a positive step, got ${step}.`);
-  requirePosture(chain, q);
+  requirePosture(chain.dof, q);
   requireRoom(J, 6 * chain.dof);
-  const work = createWork(chain.dof);
+  const { work, backward } = roomFor(chain.dof);
   const slideStep = step * chain.characteristicLength;
-  writeFrames(chain.packed, q, work);
+  writeWork(chain.packed, q, work);
   writeDifferences(chain.packed, work, step, slideStep, J);
   if (method === 'central') {
-    const backward = new Float64Array(J.length);
+    // The mean of both quotients is the central one.
     writeDifferences(chain.packed, work, -step, -slideStep, backward);
     for (let i = 0; i < J.length; i++) J[i] = (J[i] + backward[i]) / 2;
   }
@@ -50,23 +63,37 @@ export function finiteDifferenceJacobian(chain, q, options = {}) {
 
 /**
  * A turning joint moves the TCP by axis × arm and turns it about the axis; a sliding one moves it along the axis
- * (Siciliano et al., section 3.1.3). Joint i turns about z of frame i − 1 in a standard chain, of frame i in a modified.
+ * (Siciliano et al., section 3.1.3). Joint i turns about z of frame i − 1 in a standard chain, of frame i in a modified one.
  * @param {Chain} chain
  * @param {ArrayLike<number>} q
  * @param {Float64Array} [out]
  * @returns {Float64Array} 6 · n
  */
 export function geometricJacobian(chain, q, out = new Float64Array(6 * chain.dof)) {
-  requireRoom(out, 6 * chain.dof);
-  const frames = linkFrames(chain, q);
-  const T_base_tcp = compose(frames.subarray(16 * chain.dof), chain.tool);
-  chain.joints.forEach(({ type }, i) => {
-    const frame = 16 * (chain.convention === 'standard' ? i : i + 1);
-    const [x, y, z] = frames.subarray(frame + 8, frame + 11);
-    const arm = [12, 13, 14].map((k) => T_base_tcp[k] - frames[frame + k]);
-    const turns = type === 'revolute';
-    const linear = turns ? [y * arm[2] - z * arm[1], z * arm[0] - x * arm[2], x * arm[1] - y * arm[0]] : [x, y, z];
-    out.set([...linear, ...(turns ? [x, y, z] : [0, 0, 0])], 6 * i);
-  });
+  const { dof, joints, convention, packed } = chain;
+  requireRoom(out, 6 * dof);
+  const { frames: F } = roomFor(dof);
+  linkFrames(chain, q, F);
+  const [tx, ty, tz] = [packed.tool[12], packed.tool[13], packed.tool[14]];
+  const flange = 16 * dof;
+  const px = F[flange] * tx + F[flange + 4] * ty + F[flange + 8] * tz + F[flange + 12];
+  const py = F[flange + 1] * tx + F[flange + 5] * ty + F[flange + 9] * tz + F[flange + 13];
+  const pz = F[flange + 2] * tx + F[flange + 6] * ty + F[flange + 10] * tz + F[flange + 14];
+  for (let i = 0, to = 0; i < dof; i++, to += 6) {
+    const frame = 16 * (convention === 'standard' ? i : i + 1);
+    const x = F[frame + 8];
+    const y = F[frame + 9];
+    const z = F[frame + 10];
+    const turns = joints[i].type === 'revolute';
+    const armX = px - F[frame + 12];
+    const armY = py - F[frame + 13];
+    const armZ = pz - F[frame + 14];
+    out[to] = turns ? y * armZ - z * armY : x;
+    out[to + 1] = turns ? z * armX - x * armZ : y;
+    out[to + 2] = turns ? x * armY - y * armX : z;
+    out[to + 3] = turns ? x : 0;
+    out[to + 4] = turns ? y : 0;
+    out[to + 5] = turns ? z : 0;
+  }
   return out;
 }

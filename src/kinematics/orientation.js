@@ -22,6 +22,10 @@ function requireNumbers(values, count, name) {
   }
 }
 
+/** Adding 0 turns −0 into 0, so that poses that are the same look the same. @param {number[][]} columns @returns {Pose} */
+const fromColumns = (columns) =>
+  Float64Array.from(columns.flatMap(([x, y, z], i) => [x + 0, y + 0, z + 0, i === 3 ? 1 : 0]));
+
 /**
  * Right angles are exact.
  * @example
@@ -35,14 +39,13 @@ export function poseFromRollPitchYaw(xyz, rpy) {
   requireNumbers(rpy, 3, 'roll, pitch, yaw');
   const [cr, cp, cy] = [rpy[0], rpy[1], rpy[2]].map(exactCosine);
   const [sr, sp, sy] = [rpy[0], rpy[1], rpy[2]].map(exactSine);
-  // Craig, equation 2.64; adding 0 turns −0 into 0
-  const columns = [
+  // Craig, equation 2.64
+  return fromColumns([
     [cy * cp, sy * cp, -sp],
     [cy * sp * sr - sy * cr, sy * sp * sr + cy * cr, cp * sr],
     [cy * sp * cr + sy * sr, sy * sp * cr - cy * sr, cp * cr],
     [xyz[0], xyz[1], xyz[2]],
-  ];
-  return Float64Array.from(columns.flatMap(([x, y, z], i) => [x + 0, y + 0, z + 0, i === 3 ? 1 : 0]));
+  ]);
 }
 
 /**
@@ -79,22 +82,10 @@ export function poseFromQuaternion(xyz, xyzw) {
   if (largest === 0) throw new RangeError('Expected a quaternion that is not zero, got 0 0 0 0.');
   const [x, y, z, w] = Array.from(xyzw, (v) => v / largest); // so that no square over- or underflows
   const k = 2 / (x * x + y * y + z * z + w * w);
-  return Float64Array.of(
-    1 - k * (y * y + z * z),
-    k * (x * y + w * z),
-    k * (x * z - w * y),
-    0,
-    k * (x * y - w * z),
-    1 - k * (x * x + z * z),
-    k * (y * z + w * x),
-    0,
-    k * (x * z + w * y),
-    k * (y * z - w * x),
-    1 - k * (x * x + y * y),
-    0,
-    xyz[0],
-    xyz[1],
-    xyz[2],
-    1,
-  );
+  return fromColumns([
+    [1 - k * (y * y + z * z), k * (x * y + w * z), k * (x * z - w * y)],
+    [k * (x * y - w * z), 1 - k * (x * x + z * z), k * (y * z + w * x)],
+    [k * (x * z + w * y), k * (y * z - w * x), 1 - k * (x * x + y * y)],
+    [xyz[0], xyz[1], xyz[2]],
+  ]);
 }

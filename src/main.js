@@ -2,8 +2,8 @@
  * The composition root: hands clock, storage and chance to everything, and is the only file that knows both the scene
  * (`render`) and the panels (`ui`).
  *
- * @import { Doc } from './model/document.js'
  * @import { AppState, Action } from './model/session.js'
+ * @import { Store } from './model/store.js'
  */
 import 'bootstrap/dist/css/bootstrap.min.css';
 import './ui/css/tokens.css';
@@ -12,11 +12,15 @@ import './ui/css/layout.css';
 import { version } from '../package.json';
 import { SCHEMA, readQueryParameters } from './io/queryParameters.js';
 import { createManualClock } from './model/clock.js';
+import { poseFromXyzwpr } from './model/aim.js';
+import { compileLinkStyles } from './model/compile.js';
 import { createDerived } from './model/derived.js';
 import { LIBRARY, newDocument } from './model/library.js';
+import { memo } from './model/memo.js';
 import { reduce, startState } from './model/session.js';
 import { createStore } from './model/store.js';
-import { createViews } from './model/views.js';
+import { createViews, together } from './model/views.js';
+import { createStage } from './render/stage.js';
 import { createAimPanel } from './ui/aimPanel.js';
 import { createAnnouncer } from './ui/announce.js';
 import { createBar } from './ui/bar.js';
@@ -43,25 +47,62 @@ for (const { name, text, initial } of refused) {
   messages.warn(initial === null ? TEXT.parameter.unknown(name) : TEXT.parameter.notUnderstood(name, text, initial));
 }
 
-/** @type {import('./model/store.js').Store<AppState, Action>} */
+/** @type {Store<AppState, Action>} */
 const store = createStore(startState(newDocument(LIBRARY[parameters.robot])), reduce);
 const derived = createDerived();
 const addView = createViews(store, clock, { onError: messages.fault });
 const page = { store, addView, derived, clock, announce: createAnnouncer(), messages };
 
-const theme = createTheme(parameters.theme, () => view?.setTheme());
+const theme = createTheme(parameters.theme);
 const files = createFiles(page);
 createBar(page, shell.bar, { files, theme });
 runPanels(page, shell);
 createDhTable(page, shell.tabs.robot);
 createProgramPanel(page, shell.tabs.program);
-createCodePanel(page, shell.tabs.code, { version, today: () => new Date() });
+createCodePanel(page, shell.tabs.code, { version, today: () => new Date().toISOString() });
 createJogPanel(page, shell.jog);
 const pose = createPosePanel(page, shell.pose);
 createAimPanel(page, shell.aim);
 createShortcuts(page, files);
 const view = createViewPanel(page, shell.view, { poseInWords: pose.inWords });
 
-/** @type {Promise<void>} */
-const ready = new Promise((resolve) => clock.onFrame(() => resolve()));
+const stage = createStage({
+  host: view.stageHost,
+  clock,
+  quality: parameters.quality,
+  text: view.text,
+  onGridStep: view.showGridStep,
+  onError: messages.fault,
+});
+if (stage) {
+  const linkStyles = memo(compileLinkStyles);
+  let shownName = store.state.doc.robot.name;
+  view.surround(stage.canvas, () => stage.fit());
+  theme.onChange(stage.setTheme);
+  addView(
+    together(({ doc }) => [doc.robot, doc.posture]),
+    ([robot]) => {
+      stage.showArm(derived.chain(store.state.doc), linkStyles(robot));
+      stage.showPosture(derived.posture(store.state.doc));
+      if (robot.name !== shownName) stage.fit();
+      shownName = robot.name;
+    },
+  );
+  addView(({ session }) => session.cell?.joint ?? session.heldJoint, stage.highlightJoint);
+  addView(({ session }) => session.heldJoint, stage.holdJoint);
+  addView(
+    together(({ doc, session }) => [doc.robot, session.target, doc.posture, session.answer]),
+    ([robot, target, posture, answer]) => {
+      // What is missing is drawn where the arm has gone as near as it can, not where it merely stands.
+      const isAtNearest = answer !== null && !answer.isMet && answer.posture.every((value, i) => value === posture[i]);
+      stage.showTarget(target && poseFromXyzwpr(robot, target), { reached: !isAtNearest });
+    },
+  );
+} else {
+  view.sayWhyEmpty();
+}
+
+const ready = new Promise((/** @type {(value: void) => void} */ resolve) =>
+  clock.onFrame(() => clock.onFrame(resolve)),
+);
 Object.assign(window, { denavit: createScripting(page, ready) });

@@ -13,6 +13,7 @@
  */
 import { rollPitchYawOf, poseFromRollPitchYaw } from '../kinematics/orientation.js';
 import { inverseKinematics } from '../kinematics/inverse.js';
+import { poseDifference } from '../kinematics/pose.js';
 import { compilePosture, postureFromKernel } from './compile.js';
 import { fromKernel, toKernel } from './units.js';
 
@@ -56,3 +57,23 @@ export function aim({ robot, posture }, chain, T_base_target) {
 
 /** A posture may stand outside its limits (they were tightened later); a search starts inside. @param {Chain} chain @param {Float64Array} q */
 const seedInside = ({ joints }, q) => q.map((value, i) => Math.min(joints[i].upper, Math.max(joints[i].lower, value)));
+
+/** Nearer than this the screen shows zeros in every unit: the tool counts as being there. */
+const CLOSED_METRES = 5e-6;
+const CLOSED_RADIANS = 5e-5;
+
+/**
+ * How far it is from one pose to another.
+ * @param {Float64Array} T_base_from
+ * @param {Float64Array} T_base_to
+ */
+export function gapBetween(T_base_from, T_base_to) {
+  const [x, y, z, rx, ry, rz] = poseDifference(T_base_from, T_base_to);
+  const [metres, radians] = [Math.hypot(x, y, z), Math.hypot(rx, ry, rz)];
+  return {
+    metres,
+    radians,
+    isHere: metres < CLOSED_METRES,
+    isClosed: metres < CLOSED_METRES && radians < CLOSED_RADIANS,
+  };
+}

@@ -66,3 +66,14 @@ export const compilePosture = ({ joints, units }, posture) =>
  */
 export const postureFromKernel = ({ joints, units }, q) =>
   joints.map((joint, i) => fromKernel(quantityOf(joint, 'home'), q[i], units));
+
+/**
+ * How each joint's link is drawn, in metres.
+ * @param {RobotDoc} robot
+ */
+export const compileLinkStyles = ({ joints, units }) =>
+  joints.map(({ link: { kind, color, ...sizes } }) => ({
+    kind,
+    color,
+    ...Object.fromEntries(Object.entries(sizes).map(([name, value]) => [name, toKernel('length', value, units)])),
+  }));

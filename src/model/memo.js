@@ -1,6 +1,6 @@
 /**
  * Remember the last result; compute again only when an argument is a different object or value.
- * @template {any[]} Args
+ * @template {readonly unknown[]} Args
  * @template Value
  * @param {(...args: Args) => Value} compute
  * @returns {(...args: Args) => Value}

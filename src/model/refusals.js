@@ -78,8 +78,9 @@ function badNumber(what, value) {
 
 /** @param {Doc} doc @param {Extract<Command, { type: 'set-joint-field' }>} command */
 function crossedLimits({ robot }, { joint, field, value }) {
-  if (field !== 'lower' && field !== 'upper') return null;
-  const { lower = -Infinity, upper = Infinity } = { ...robot.joints[joint], [field]: value };
+  const old = robot.joints[joint];
+  const lower = field === 'lower' ? value : (old.lower ?? -Infinity);
+  const upper = field === 'upper' ? value : (old.upper ?? Infinity);
   if (lower <= upper) return null;
   const message =
     field === 'lower'

@@ -17,6 +17,7 @@
  * @property {number | null} heldJoint  the joint whose slider is in the hand
  * @property {readonly number[] | null} target  X Y Z W P R in document units; null while it follows the tool
  * @property {AimAnswer | null} answer  what inverse kinematics said to the target
+ * @property {number} edition   counts how often the document was exchanged for another (opened, undone), not edited
  *
  * @typedef {History & { readonly session: Session }} AppState
  *
@@ -28,7 +29,7 @@ import { applyCommand } from './commands.js';
 import { cancelGesture, endGesture, record, redo, startHistory, undo } from './history.js';
 
 /** @type {Session} */
-const FRESH = { panel: 'jog', tab: 'robot', cell: null, heldJoint: null, target: null, answer: null };
+const FRESH = { panel: 'jog', tab: 'robot', cell: null, heldJoint: null, target: null, answer: null, edition: 0 };
 
 /** @param {Doc} doc @param {Partial<Session>} [session] @returns {AppState} */
 export const startState = (doc, session = {}) => ({ ...startHistory(doc), session: { ...FRESH, ...session } });
@@ -43,9 +44,9 @@ export function reduce(state, action) {
   const { session, ...history } = state;
   switch (action.type) {
     case 'undo':
-      return settle(state, history, undo(history));
+      return exchanged(settle(state, history, undo(history)), state);
     case 'redo':
-      return settle(state, history, redo(history));
+      return exchanged(settle(state, history, redo(history)), state);
     case 'end-gesture':
       return settle(state, history, endGesture(history));
     case 'cancel-gesture':
@@ -55,6 +56,8 @@ export function reduce(state, action) {
       if (keys.every((key) => Object.is(session[key], action.change[key]))) return state;
       return { ...state, session: { ...session, ...action.change } };
     }
+    case 'replace-document':
+      return exchanged(settle(state, history, record(history, applyCommand(state.doc, action))), state);
     default:
       return settle(state, history, record(history, applyCommand(state.doc, action), action.gesture));
   }
@@ -74,8 +77,12 @@ function settle(state, history, next) {
   const old = history.doc.robot;
   if (robot === old) return { ...next, session };
   const sameShape = robot.joints.length === old.joints.length && robot.units === old.units && robot.name === old.name;
-  return {
-    ...next,
-    session: sameShape ? { ...session, answer: null } : { ...FRESH, panel: session.panel, tab: session.tab },
-  };
+  const { panel, tab, edition } = session;
+  return { ...next, session: sameShape ? { ...session, answer: null } : { ...FRESH, panel, tab, edition } };
+}
+
+/** @param {AppState} state @param {AppState} before @returns {AppState} */
+function exchanged(state, before) {
+  if (state === before) return before;
+  return { ...state, session: { ...state.session, edition: before.session.edition + 1 } };
 }

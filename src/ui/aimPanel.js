@@ -10,14 +10,11 @@ import { memo } from '../model/memo.js';
 import { together } from '../model/views.js';
 import { differenceInWords, verdictInWords } from './verdict.js';
 import { fill, h } from './dom.js';
-import { editable, unitSign } from './format.js';
+import { editable, poseNumber, roundedPose, unitSign } from './format.js';
 import { icon } from './icons.js';
 import { readNumber } from './numberText.js';
 import { POSE_NAMES } from './posePanel.js';
 import { TEXT } from './strings.js';
-
-/** Decimals that a target taken from the tool begins with: more than the eye needs, less than noise. */
-const TAKEN_DIGITS = 8;
 
 /**
  * @param {Page} page
@@ -31,7 +28,7 @@ export function createAimPanel(page, host) {
     icon('crosshair'),
   );
   const reasonLine = h('p', { class: 'reason sm', id: 'aim-reason' });
-  const verdict = h('p', { class: 'verdict-line sm', role: 'status' });
+  const verdict = h('p', { class: 'verdict-line sm' });
   const move = h('button', { type: 'submit', class: 'btn btn-primary' }, TEXT.aim.move);
   const nearest = h('button', { type: 'button', class: 'btn btn-outline' }, TEXT.aim.nearest);
   const fields = POSE_NAMES.map((_, k) =>
@@ -81,9 +78,10 @@ export function createAimPanel(page, host) {
   );
 
   const toolNow = memo(xyzwprOf);
-  /** What the fields say: the typed target, or the tool while nobody aims. @param {AppState} state */
-  const target = ({ doc, session }) => session.target ?? toolNow(doc.robot, derived.tcp(doc));
   const poseOf = memo(poseFromXyzwpr);
+  /** What the fields say: the target someone asked for, or the tool while nobody aims. @param {AppState} state */
+  const target = ({ doc, session }) => session.target ?? toolNow(doc.robot, derived.tcp(doc));
+  const unitOfField = (/** @type {number} */ k) => store.state.doc.robot.units[k < 3 ? 'length' : 'angle'];
 
   /** @param {string | null} reason @param {HTMLInputElement} [field] */
   function mark(reason, field) {
@@ -97,24 +95,18 @@ export function createAimPanel(page, host) {
     reasonLine.hidden = reason === null;
   }
 
-  /** All six fields as numbers, or null after marking the first that is none. @returns {readonly number[] | null} */
+  /** The target, unless a field holds no number: that one is then marked. @returns {readonly number[] | null} */
   function read() {
-    /** @type {number[]} */
-    const numbers = [];
-    for (const [k, field] of fields.entries()) {
-      // A field that still shows what was put there keeps all its digits.
-      const { value, reason } =
-        field.value === field.dataset.shown ? { value: target(store.state)[k], reason: null } : readNumber(field.value);
-      if (reason !== null) {
-        mark(reason, field);
-        announce(reason);
-        field.focus();
-        return null;
-      }
-      numbers.push(value);
+    for (const field of fields) {
+      const { reason } = readNumber(field.value);
+      if (reason === null) continue;
+      mark(reason, field);
+      announce(reason);
+      field.focus();
+      return null;
     }
     mark(null);
-    return numbers;
+    return target(store.state);
   }
 
   function aimThere() {
@@ -124,7 +116,16 @@ export function createAimPanel(page, host) {
     const answer = aim(doc, derived.chain(doc), poseOf(doc.robot, numbers));
     if (answer.isMet) store.dispatch({ type: 'set-posture', posture: answer.posture });
     store.dispatch({ type: 'show', change: { target: numbers, answer } });
-    announce(verdictInWords(store.state.doc.robot, answer));
+    announce(verdictInWords(doc.robot, answer));
+  }
+
+  /** From the first typed number on, the others are what their fields show. @param {number} typed @param {number} value */
+  function ask(typed, value) {
+    const isFirst = store.state.session.target === null;
+    const numbers = target(store.state).map((old, k) =>
+      k === typed ? value : isFirst ? roundedPose(old, unitOfField(k)) : old,
+    );
+    store.dispatch({ type: 'show', change: { target: numbers, answer: null } });
   }
 
   $(form).on('submit', (event) => {
@@ -132,16 +133,16 @@ export function createAimPanel(page, host) {
     aimThere();
   });
   $(form).on('input', 'input', ({ currentTarget }) => {
-    const k = Number(currentTarget.dataset.index);
     const { value, reason } = readNumber(currentTarget.value);
     if (reason !== null) return; // said when the person asks to move
     mark(null);
-    store.dispatch({ type: 'show', change: { target: roundOthers(target(store.state), k, value), answer: null } });
+    ask(Number(currentTarget.dataset.index), value);
   });
   $(follow).on('click', () => {
+    for (const field of fields) field.value = '';
     mark(null);
     store.dispatch({ type: 'show', change: { target: null, answer: null } });
-    for (const field of fields) field.dataset.shown = '';
+    fields.forEach(show);
     announce(TEXT.aim.following);
   });
   $(nearest).on('click', () => {
@@ -151,22 +152,38 @@ export function createAimPanel(page, host) {
     announce(TEXT.aim.wentNearest);
   });
 
+  /** @param {HTMLInputElement} field @param {number} k */
+  function show(field, k) {
+    if (document.activeElement === field || field.getAttribute('aria-invalid') === 'true') return;
+    const value = target(store.state)[k];
+    field.value = store.state.session.target ? editable(value) : poseNumber(value, unitOfField(k));
+  }
+  $(form).on('focusout', 'input', ({ currentTarget }) => {
+    // A text that is a number stands as the document would write it; any other waits for the person to mend it.
+    if (readNumber(currentTarget.value).reason === null)
+      currentTarget.value = editable(target(store.state)[Number(currentTarget.dataset.index)]);
+  });
+
   addView(
-    together((state) => [target(state), state.doc.robot]),
-    ([numbers, robot]) =>
-      numbers.forEach((value, k) => {
-        const unit = robot.units[k < 3 ? 'length' : 'angle'];
-        units[k].textContent = unitSign(unit);
-        fields[k].setAttribute('aria-label', TEXT.aim.field(POSE_NAMES[k], TEXT.table.unitName[unit]));
-        const text = editable(Number(value.toPrecision(TAKEN_DIGITS)));
-        const isBusy = document.activeElement === fields[k] || fields[k].getAttribute('aria-invalid') === 'true';
-        if (isBusy || fields[k].dataset.shown === text) return;
-        fields[k].value = fields[k].dataset.shown = text;
-      }),
+    ({ doc }) => doc.robot,
+    () => {
+      mark(null);
+      fields.forEach((field, k) => {
+        units[k].textContent = unitSign(unitOfField(k));
+        field.setAttribute('aria-label', TEXT.aim.field(POSE_NAMES[k], TEXT.table.unitName[unitOfField(k)]));
+      });
+    },
   );
+  addView(target, () => fields.forEach(show));
   addView(
-    together((state) => [state.doc.robot, derived.tcp(state.doc), target(state), state.session]),
-    ([robot, T_base_tcp, numbers, { target: asked, answer }]) => {
+    together((state) => [
+      state.doc.robot,
+      derived.tcp(state.doc),
+      target(state),
+      state.session.target,
+      state.session.answer,
+    ]),
+    ([robot, T_base_tcp, numbers, asked, answer]) => {
       const { text, tone, isThere } = differenceInWords(
         robot,
         T_base_tcp,
@@ -180,7 +197,3 @@ export function createAimPanel(page, host) {
     },
   );
 }
-
-/** The typed number, beside the others rounded to what their fields show. @param {readonly number[]} numbers @param {number} k @param {number} value */
-const roundOthers = (numbers, k, value) =>
-  numbers.map((other, i) => (i === k ? value : Number(other.toPrecision(TAKEN_DIGITS))));

@@ -1,6 +1,9 @@
 /**
  * The bar on top: which robot, its file, undo and redo, units, colours.
+ * @import { Child } from './dom.js'
+ * @import { IconName } from './icons.js'
  * @import { Page } from './page.js'
+ * @import { RobotDoc } from '../model/document.js'
  * @import { Files } from './files.js'
  * @import { Theme } from './theme.js'
  */
@@ -12,7 +15,7 @@ import { fill, h } from './dom.js';
 import { icon } from './icons.js';
 import { TEXT } from './strings.js';
 
-/** "6R" or "RRPR": a joint's letter each, a single kind shortened. @param {import('../model/document.js').RobotDoc} robot */
+/** "6R" or "RRPR": a joint's letter each, a single kind shortened. @param {RobotDoc} robot */
 function typesOf({ joints }) {
   const letters = joints.map((joint) => (isSliding(joint) ? 'P' : 'R')).join('');
   return /^(.)\1*$/.test(letters) ? `${letters.length}${letters[0]}` : letters;
@@ -76,13 +79,13 @@ export function createBar(page, host, { files, theme }) {
   );
 }
 
-/** @param {import('./icons.js').IconName} name @param {string} label */
+/** @param {IconName} name @param {string} label */
 const iconButton = (name, label) =>
   h('button', { type: 'button', class: 'btn btn-icon', 'aria-label': label, title: label }, icon(name));
 
 /**
  * @param {string | null} label  the accessible name, where the content does not say it
- * @param {import('./dom.js').Child[]} content
+ * @param {Child[]} content
  * @param {HTMLElement[]} items
  */
 function menu(label, content, items) {
@@ -93,8 +96,9 @@ function menu(label, content, items) {
     icon('caret', 'caret'),
   );
   const list = h('ul', { class: 'dropdown-menu menu' }, items);
+  const dropdown = h('div', { class: 'dropdown' }, button, list); // Bootstrap looks for the list beside the button
   new Dropdown(button, { popperConfig: { strategy: 'fixed' } });
-  return h('div', { class: 'dropdown' }, button, list);
+  return dropdown;
 }
 
 /** @param {string} title @param {string} detail @param {() => void} run */

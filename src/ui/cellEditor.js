@@ -103,6 +103,12 @@ export function editCell(page, input, { command, check, onDone, onReason, text, 
 
   return {
     input,
+    /** The document was exchanged for another: a text that was typed for the old one goes. */
+    forget() {
+      gesture = null;
+      delete input.dataset.editing;
+      if (input.getAttribute('aria-invalid') === 'true') mark(null);
+    },
     /** The document changed: show its number, unless a person is typing or a refused text is still to be mended. */
     refresh() {
       if ('editing' in input.dataset || input.getAttribute('aria-invalid') === 'true') return;

@@ -1,6 +1,7 @@
 /**
  * Controller code for the recorded postures: shown, copied, saved. The writer is loaded when the panel is first opened.
  *
+ * @import { IconName } from './icons.js'
  * @import { Page } from './page.js'
  * @import { Doc } from '../model/document.js'
  */
@@ -20,7 +21,7 @@ import { TEXT } from './strings.js';
  * @param {HTMLElement} host
  * @param {object} given
  * @param {string} given.version   of this program, for the files' heads
- * @param {() => Date} given.today
+ * @param {() => string} given.today  ISO 8601
  */
 export function createCodePanel(page, host, { version, today }) {
   const { store, addView, announce, messages } = page;
@@ -29,9 +30,12 @@ export function createCodePanel(page, host, { version, today }) {
   let chosen = 0;
 
   const write = memo((/** @type {Doc['robot']} */ robot, /** @type {Doc['postures']} */ postures) =>
-    writer?.controllerCode({ ...store.state.doc, robot, postures }, { version, generatedAt: today() }),
+    /** @type {NonNullable<typeof writer>} */ (writer).controllerCode(
+      { ...store.state.doc, robot, postures },
+      { version, generatedAt: today() },
+    ),
   );
-  const codeOf = (/** @type {Doc} */ doc) => write(doc.robot, doc.postures);
+  const codeOf = (/** @type {Doc} */ doc) => (writer ? write(doc.robot, doc.postures) : null);
 
   /** @param {Doc} doc */
   function draw(doc) {
@@ -102,7 +106,7 @@ export function createCodePanel(page, host, { version, today }) {
         draw(store.state.doc);
         return;
       }
-      draw({ ...store.state.doc, postures: store.state.doc.postures.length < 2 ? [] : store.state.doc.postures });
+      draw(store.state.doc);
       import('../model/controllerCode.js').then((module) => {
         writer = module;
         draw(store.state.doc);
@@ -111,7 +115,7 @@ export function createCodePanel(page, host, { version, today }) {
   );
 }
 
-/** @param {string} action @param {import('./icons.js').IconName} name @param {string} label @param {string} [look] */
+/** @param {string} action @param {IconName} name @param {string} label @param {string} [look] */
 const actionButton = (action, name, label, look) =>
   look
     ? h('button', { type: 'button', class: `btn ${look}`, 'data-action': action }, icon(name), label)

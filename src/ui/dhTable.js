@@ -87,6 +87,7 @@ export function createDhTable(page, host) {
   function build({ joints, units }) {
     cells = joints.map((_, row) => COLUMNS.map(({ field }) => makeCell(row, field)));
     const sameKind = joints.every((joint) => isSliding(joint) === isSliding(joints[0]));
+    table.classList.toggle('is-mixed', !sameKind);
     const head = COLUMNS.map(({ field, letter }) => {
       // Limits of a mixed arm have a unit in each row, not in the head.
       const unit = letter || sameKind ? unitSign(units[quantityOf(joints[0], field)]) : '';
@@ -95,7 +96,7 @@ export function createDhTable(page, host) {
         : TEXT.table[field === 'lower' ? 'lower' : 'upper'];
       return h(
         'th',
-        { scope: 'col', class: letter ? 'dh' : 'limit' },
+        { scope: 'col', class: letter ? 'dh' : 'limit', 'data-column': field },
         title,
         h('span', { class: 'unit' }, unit === '°' ? 'deg' : unit),
       );
@@ -181,9 +182,12 @@ export function createDhTable(page, host) {
 
   /** @type {string} the shape of the grid that stands */
   let shape = '';
+  let edition = -1;
   addView(
-    ({ doc }) => doc.robot,
-    (robot) => {
+    together(({ doc, session }) => [doc.robot, session.edition]),
+    ([robot, now]) => {
+      if (now !== edition) cells.flat().forEach((cell) => cell.forget());
+      edition = now;
       const wanted = [
         robot.name,
         robot.units.length,

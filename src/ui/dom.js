@@ -29,9 +29,8 @@ export function h(tag, attributes = {}, ...children) {
  */
 export const fill = (parent, ...children) => parent.replaceChildren(...present(children.flat()));
 
-/** @param {readonly Child[]} children @returns {(Node | string)[]} */
-const present = (children) =>
-  children.filter((child) => child instanceof Node || (typeof child === 'string' && child !== ''));
+/** @param {readonly Child[]} children */
+const present = (children) => children.flatMap((child) => (child ? [child] : []));
 
 /**
  * A symbol of the field with its index: a₂, set as in a book.

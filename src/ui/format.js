@@ -30,6 +30,9 @@ export const editable = (value) => plain(Number(value.toPrecision(EDIT_DIGITS)))
 /** @param {number} value @param {Units['length'] | Units['angle']} unit */
 export const poseNumber = (value, unit) => fixed(value, POSE_DECIMALS[unit]);
 
+/** The number that `poseNumber` shows. @param {number} value @param {Units['length'] | Units['angle']} unit */
+export const roundedPose = (value, unit) => Number(value.toFixed(POSE_DECIMALS[unit]));
+
 /** @param {number} value @param {Units['length'] | Units['angle']} unit */
 export const jointNumber = (value, unit) => fixed(value, JOINT_DECIMALS[unit]);
 

@@ -159,9 +159,12 @@ export function createJogPanel(page, host) {
 
   /** @type {string} */
   let shape = '';
+  let edition = -1;
   addView(
-    together(({ doc, session }) => [doc.robot, doc.posture, session.heldJoint]),
-    ([robot, posture, heldJoint]) => {
+    together(({ doc, session }) => [doc.robot, doc.posture, session.heldJoint, session.edition]),
+    ([robot, posture, heldJoint, now]) => {
+      if (now !== edition) rows.forEach(({ cell }) => cell.forget());
+      edition = now;
       const wanted = JSON.stringify([
         robot.name,
         robot.units,

@@ -79,7 +79,7 @@ export function createProgramPanel(page, host) {
       const rows = postures.map((posture, i) => row(posture, i, robot));
       fill(
         content,
-        h('table', { class: 'moves', 'aria-label': TEXT.program.title }, h('tbody', {}, rows)),
+        h('table', { class: 'moves', 'aria-label': TEXT.program.title }, head(robot), h('tbody', {}, rows)),
         postures.length === 1
           ? h('p', { class: 'soft sm inset' }, TEXT.program.one)
           : h(
@@ -96,9 +96,28 @@ export function createProgramPanel(page, host) {
 const recordButton = (look = 'btn-outline') =>
   h('button', { type: 'button', class: `btn ${look}`, 'data-action': 'record' }, icon('record'), TEXT.program.record);
 
+/** @param {RobotDoc} robot */
+function head({ joints, units }) {
+  const used = [...new Set(joints.map((joint) => unitOf(joint, units)))].join(', ');
+  const { name, values } = TEXT.program.heads;
+  return h(
+    'thead',
+    {},
+    h(
+      'tr',
+      {},
+      h('td'),
+      h('th', { scope: 'col' }, name),
+      h('th', { scope: 'col' }, values, ' ', h('span', { class: 'unit' }, used)),
+      h('td'),
+    ),
+  );
+}
+
 /** @param {PostureDoc} posture @param {number} index @param {RobotDoc} robot */
 function row({ id, q }, index, { joints, units }) {
-  const values = joints.map((joint, i) => withUnit(jointNumber(q[i], unitOf(joint, units)), unitOf(joint, units)));
+  const numbers = joints.map((joint, i) => jointNumber(q[i], unitOf(joint, units)));
+  const inWords = joints.map((joint, i) => withUnit(numbers[i], unitOf(joint, units))).join(', ');
   return h(
     'tr',
     {},
@@ -118,7 +137,11 @@ function row({ id, q }, index, { joints, units }) {
         maxlength: 64,
       }),
     ),
-    h('td', { class: 'soft sm values' }, values.join('  ')),
+    h(
+      'td',
+      { class: 'soft values', title: inWords },
+      numbers.map((number) => h('span', {}, number)),
+    ),
     h(
       'td',
       { class: 'right' },

@@ -125,7 +125,7 @@ export const TEXT = {
     field: (/** @type {string} */ name, /** @type {string} */ unit) => `Target ${name}, ${unit}`,
     move: 'Move there',
     follow: 'Take the tool pose',
-    nearest: 'Go to the nearest posture',
+    nearest: 'Go to the nearest',
     following: 'The fields follow the tool. Type a pose to aim at.',
     toGo: (/** @type {string} */ distance, /** @type {string} */ angle) => `${distance} and ${angle} to go.`,
     reached: (/** @type {string} */ distance, /** @type {string} */ angle) => `Reached: ${distance}, ${angle} off.`,
@@ -140,7 +140,7 @@ export const TEXT = {
         `the position and the direction of the tool axis. Its turn about that axis is free and differs by ${angle}.`,
       position: (/** @type {string} */ angle) => `the position. The orientation differs by ${angle}.`,
     },
-    unreachable: (/** @type {string} */ by) => `Out of reach: ${by} too far.`,
+    unreachable: (/** @type {string} */ by) => `Out of reach, by at least ${by}.`,
     outsideLimits: (/** @type {string} */ joint, /** @type {string} */ by) =>
       `Only outside the limits: ${joint} would have to go ${by} past its stop.`,
     notFound: (/** @type {string} */ distance, /** @type {string} */ angle) =>
@@ -160,7 +160,7 @@ export const TEXT = {
     recorded: (/** @type {string} */ name) => `Recorded as ${name}.`,
     one: 'One more posture, and controller code can be written for the motion between them.',
     toCode: 'See the controller code',
-    values: 'joint values',
+    heads: { name: 'posture', values: 'joint values' },
   },
 
   code: {

@@ -4,22 +4,23 @@
  */
 const KEY = 'denavit.theme';
 
-/**
- * @param {'auto' | 'light' | 'dark'} asked  what the address says
- * @param {() => void} onChange
- */
-export function createTheme(asked, onChange) {
+/** @param {'auto' | 'light' | 'dark'} asked  what the address says */
+export function createTheme(asked) {
   const root = document.documentElement;
   const dark = matchMedia('(prefers-color-scheme: dark)');
+  /** @type {(() => void)[]} */
+  const listeners = [];
   let chosen = asked === 'auto' ? remembered() : asked;
 
   function apply() {
     root.dataset.bsTheme = chosen ?? (dark.matches ? 'dark' : 'light');
-    onChange();
+    listeners.forEach((listener) => listener());
   }
   dark.addEventListener('change', apply);
   apply();
   return {
+    /** @param {() => void} listener  called after each change */
+    onChange: (listener) => void listeners.push(listener),
     toggle() {
       chosen = root.dataset.bsTheme === 'dark' ? 'light' : 'dark';
       remember(chosen);

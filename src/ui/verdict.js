@@ -4,7 +4,7 @@
  * @import { RobotDoc } from '../model/document.js'
  * @import { AimAnswer } from '../model/aim.js'
  */
-import { poseDifference } from '../kinematics/pose.js';
+import { gapBetween } from '../model/aim.js';
 import { fromKernel } from '../model/units.js';
 import { jointNumber, poseNumber, unitOf, withUnit } from './format.js';
 import { quantityOf } from '../model/document.js';
@@ -26,19 +26,16 @@ const angle = ({ units }, radians) =>
 export function verdictInWords(robot, { result }) {
   const distance = length(robot, result.positionError);
   const turn = angle(robot, result.orientationError);
-  switch (result.status) {
+  const { status, task, beyondReach, limit } = result;
+  switch (status) {
     case 'converged':
       return TEXT.aim.reached(distance, turn);
     case 'subspace':
-      return TEXT.aim.subspace(TEXT.verdict.task[result.task.name](turn));
+      return TEXT.aim.subspace(TEXT.verdict.task[task?.name ?? 'position'](turn));
     case 'unreachable':
-      return TEXT.verdict.unreachable(length(robot, result.beyond));
-    case 'outside-limits': {
-      const { joint, by } = result.limit;
-      const unit = unitOf(robot.joints[joint], robot.units);
-      const past = fromKernel(quantityOf(robot.joints[joint], 'home'), by, robot.units);
-      return TEXT.verdict.outsideLimits(`J${joint + 1}`, withUnit(jointNumber(past, unit), unit));
-    }
+      return TEXT.verdict.unreachable(length(robot, beyondReach ?? result.positionError));
+    case 'outside-limits':
+      return limit ? limitInWords(robot, limit) : TEXT.verdict.notFound(distance, turn);
     case 'stalled':
     case 'budget':
       return robot.joints.length < 6
@@ -46,15 +43,18 @@ export function verdictInWords(robot, { result }) {
         : TEXT.verdict.notFound(distance, turn);
     default: {
       /** @type {never} */
-      const unknown = result;
-      throw new TypeError(`Unknown answer: ${JSON.stringify(unknown)}`);
+      const unknown = status;
+      throw new TypeError(`Unknown status: ${unknown}`);
     }
   }
 }
 
-/** Nearer than this the screen shows zeros: the tool counts as being there. */
-const THERE_METRES = 5e-6;
-const THERE_RADIANS = 8e-5;
+/** @param {RobotDoc} robot @param {{ joint: number, by: number }} limit */
+function limitInWords({ joints, units }, { joint, by }) {
+  const past = fromKernel(quantityOf(joints[joint], 'home'), by, units);
+  const unit = unitOf(joints[joint], units);
+  return TEXT.verdict.outsideLimits(`J${joint + 1}`, withUnit(jointNumber(past, unit), unit));
+}
 
 /**
  * @param {RobotDoc} robot
@@ -65,14 +65,10 @@ const THERE_RADIANS = 8e-5;
  * @returns {{ text: string, tone: 'quiet' | 'good' | 'bad', isThere: boolean }}
  */
 export function differenceInWords(robot, T_base_tcp, T_base_target, isAsked, answer) {
-  const difference = poseDifference(T_base_tcp, T_base_target);
-  const metres = Math.hypot(difference[0], difference[1], difference[2]);
-  const radians = Math.hypot(difference[3], difference[4], difference[5]);
-  const isThere = metres < THERE_METRES && radians < THERE_RADIANS;
+  const { metres, radians, isHere, isClosed: isThere } = gapBetween(T_base_tcp, T_base_target);
   if (!isAsked) return { text: TEXT.aim.following, tone: 'quiet', isThere };
   if (isThere) return { text: TEXT.aim.reached(length(robot, metres), angle(robot, radians)), tone: 'good', isThere };
   if (answer && !answer.isMet) return { text: verdictInWords(robot, answer), tone: 'bad', isThere };
-  const stillMet = answer?.status === 'subspace' && metres < THERE_METRES;
-  if (answer && stillMet) return { text: verdictInWords(robot, answer), tone: 'good', isThere };
+  if (answer?.status === 'subspace' && isHere) return { text: verdictInWords(robot, answer), tone: 'good', isThere };
   return { text: TEXT.aim.toGo(length(robot, metres), angle(robot, radians)), tone: 'quiet', isThere };
 }

@@ -105,9 +105,9 @@ function commonSlides(points) {
   return slides;
 }
 
-/** Minus zero becomes zero. @param {number} value */
+/** @param {number} value */
 function rounded(value) {
-  if (Math.abs(value) <= LARGEST_JOINT_VALUE) return Number(value.toFixed(DECIMALS)) + 0;
+  if (Math.abs(value) <= LARGEST_JOINT_VALUE) return Number(value.toFixed(DECIMALS));
   throw new RangeError(`Expected joint values within ±${LARGEST_JOINT_VALUE}, got ${value}.`);
 }
 

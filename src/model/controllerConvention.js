@@ -10,9 +10,7 @@ export const hasControllerData = ({ joints }) =>
   joints.some(({ controller }) => controller.sign !== 1 || controller.offset !== 0 || isCoupled(controller));
 
 /**
- * One line for each joint, or one for all.
- * @example
- * conventionLines(robot) // → ['J1 = q1', 'J2 = q2', 'J3 = -q3 + 90 deg - J2']
+ * One line for each joint, as "J3 = -q3 + 90 deg - J2", or one for all.
  * @param {RobotDoc} robot
  * @returns {string[]}
  */

@@ -87,6 +87,22 @@ test.for(/** @type {const} */ (['of the first term', 'of the operand']))(
   },
 );
 
+test('any two operators, nested either way, are read back as nested', () => {
+  const signs = /** @type {const} */ (['NOT', '-', '+']);
+  const trees = OPERATORS.flatMap((outer) => [
+    ...OPERATORS.flatMap((inner) => [binary(binary(a, inner, b), outer, c), binary(a, outer, binary(b, inner, c))]),
+    ...signs.flatMap((sign) => [
+      binary(unary(sign, a), outer, b),
+      binary(a, outer, unary(sign, b)),
+      unary(sign, binary(a, outer, b)),
+    ]),
+  ]);
+  for (const tree of [...trees, ...signs.flatMap((one) => signs.map((two) => unary(one, unary(two, a))))]) {
+    expect(readExpression(print(tree), 'of the first term')).toEqual(shapeOf(tree));
+    expect(readExpression(print(tree), 'of the operand')).toEqual(shapeOf(tree));
+  }
+});
+
 test('two minus signs never meet, since they would begin a comment', () => {
   fc.assert(
     fc.property(anyExpression, (tree) => {
@@ -185,6 +201,7 @@ test.for(
     ['a name that begins with a digit', name('1a')],
     ['a name with a line end', name('a\nABORT')],
     ['a reserved word as a name', name('Begin')],
+    ['an element of a reserved word', { kind: 'index', target: name('BEGIN'), indices: [a] }],
     ['no indices', { kind: 'index', target: a, indices: [] }],
     ['four indices', { kind: 'index', target: a, indices: [a, a, a, a] }],
     ['a function call without arguments', call('f')],

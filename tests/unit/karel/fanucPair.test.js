@@ -271,6 +271,10 @@ test.for(
   expect(writeFanucPair({ ...PUMA, ...options }).issues).toMatchObject([{ severity: 'warning', code, path }]);
 });
 
+test('the hundredth register is the last usual one', () => {
+  expect(writeFanucPair({ ...PUMA, firstRegister: 99 }).issues).toEqual([]);
+});
+
 test('the header says which axes slide, and that other than six axes are not verified', () => {
   const points = [{ name: 'p', jointValues: [1, 2, 3, 4], slides: [false, false, true, false] }];
   const [karel, tp] = writeFanucPair({ ...PUMA, points, convention: [] }).files;

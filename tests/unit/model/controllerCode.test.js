@@ -142,6 +142,27 @@ test('several turns of an unlimited joint are kept, with a warning beyond one', 
   ]);
 });
 
+test('turns are counted only where the model has no limit', () => {
+  const lowest = { ...FANUC_LIKE.joints[5], lower: -1000, upper: undefined };
+  const robot = { ...FANUC_LIKE, joints: FANUC_LIKE.joints.with(5, lowest) };
+  const { issues } = controllerCode(recorded(robot, [0, 0, 0, 0, 0, -900], [0, 0, 0, 0, 0, 900]), WRITTEN);
+  expect(issues.map(({ code, path }) => [code, path])).toEqual([['many-turns', 'postures.1.q.5']]);
+});
+
+test.for(
+  /** @type {Partial<ControllerDoc>[]} */ ([{ sign: -1 }, { offset: 1 }, { coupledTo: 'joint_1', coupling: 1 }]),
+)('one joint with %j is controller data', (controller) => {
+  expect(codes(recorded(withController({ 1: controller }), [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0]))).toEqual([]);
+});
+
+test.for(/** @type {Partial<ControllerDoc>[]} */ ([{ coupledTo: 'joint_1', coupling: 0 }, { coupling: 1 }]))(
+  'a coupling that does nothing, %j, is no controller data',
+  (controller) => {
+    const doc = recorded(withController({ 1: controller }), [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0]);
+    expect(codes(doc)).toEqual(['no-controller-data']);
+  },
+);
+
 test('a value beyond what a controller takes gives no files', () => {
   const { files, issues } = controllerCode(recorded(FANUC_LIKE, [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 1e6]), WRITTEN);
   expect(files).toEqual([]);

@@ -112,41 +112,18 @@ test('the pendant’s values satisfy the definition, whatever the order of the c
 });
 
 test.for(
-  /** @type {[string, Partial<ControllerDoc>[]][]} */ ([
-    ['a joint coupled to itself', [{ coupledTo: 'a', coupling: 1 }, {}]],
-    [
-      'two joints coupled to each other',
-      [
-        { coupledTo: 'b', coupling: 1 },
-        { coupledTo: 'a', coupling: 1 },
-      ],
-    ],
-    [
-      'a cycle of three',
-      [
-        { coupledTo: 'b', coupling: 1 },
-        { coupledTo: 'c', coupling: 1 },
-        { coupledTo: 'a', coupling: 1 },
-      ],
-    ],
-    [
-      'a cycle that is not reached first',
-      [
-        { coupledTo: 'b', coupling: 1 },
-        { coupledTo: 'c', coupling: 0 },
-        { coupledTo: 'b', coupling: 0 },
-      ],
-    ],
-    ['a coupling to a joint that is not there', [{ coupledTo: 'z', coupling: 1 }, {}]],
-    ['an offset that is no number', [{ offset: NaN }, {}]],
+  /** @type {[string, string, Partial<ControllerDoc>[]][]} */ ([
+    ['a joint coupled to itself', 'cycle', [{ coupledTo: 'a', coupling: 1 }, {}]],
+    ['two joints coupled to each other', 'cycle', [{ coupledTo: 'b' }, { coupledTo: 'a' }]],
+    ['a cycle of three', 'cycle', [{ coupledTo: 'b' }, { coupledTo: 'c' }, { coupledTo: 'a' }]],
+    ['a cycle that is not reached first', 'cycle', [{ coupledTo: 'b' }, { coupledTo: 'c' }, { coupledTo: 'b' }]],
+    ['a coupling to a joint that is not there', 'got "z"', [{ coupledTo: 'z', coupling: 1 }, {}]],
+    ['an offset that is no number', 'got NaN', [{ offset: NaN }, {}]],
   ]),
-)('%s is refused', ([, controllers]) => {
-  expect(() =>
-    pendantValues(
-      arm(controllers),
-      controllers.map(() => 1),
-    ),
-  ).toThrow(RangeError);
+)('%s is refused', ([, message, controllers]) => {
+  const read = () => pendantValues(arm(controllers), Array(controllers.length).fill(1));
+  expect(read).toThrow(RangeError);
+  expect(read).toThrow(message);
 });
 
 test('too few or too many joint values are refused', () => {

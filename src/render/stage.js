@@ -1,0 +1,131 @@
+/**
+ * The 3-D view of an arm, in an element of the page.
+ *
+ *     const stage = createStage({ host, clock, quality: 'high', text, onGridStep, onError });  // null without WebGL
+ *     stage.showArm(chain, styles);   // builds; the same chain and styles again cost nothing
+ *     stage.showPosture(q);           // only moves
+ *     stage.fit();
+ *
+ * It draws at most once a frame, through the clock, and only after something changed: `draws` counts, and the canvas has the
+ * number as `data-draws`. It knows no words: `text` is asked for each label when it is written, and `rewrite` asks again.
+ * Colours are the page's CSS custom properties, read by `setTheme`. The host must be positioned; its background is the sky.
+ *
+ * @import { LinkStyle } from './linkPieces.js'
+ * @import { SceneText } from './scene.js'
+ * @import { Rectangle } from './view.js'
+ * @import { Chain } from '../kinematics/chain.js'
+ * @import { Clock } from '../model/clock.js'
+ *
+ * @typedef {SceneText & { view: string }} StageText
+ *   `view` names the canvas; `jointValue(index)`, `jointLimit(index, 'lower' | 'upper')`, `missing(metres)` are labels
+ *
+ * @typedef {object} StageOptions
+ * @property {HTMLElement} host
+ * @property {Clock} clock
+ * @property {'high' | 'low'} quality  low: no shadow, no smoothing, one pixel to a pixel of the page
+ * @property {StageText} text
+ * @property {(metres: number) => void} [onGridStep]  a square of the floor's grid is now this large
+ * @property {(error: unknown) => void} [onError]     the view broke; it will not draw again
+ *
+ * @typedef {NonNullable<ReturnType<typeof createStage>>} Stage
+ */
+import { createFrameLoop } from '../model/clock.js';
+import { createLabels } from './labels.js';
+import { createScene } from './scene.js';
+import { currentSkin } from './skins.js';
+import { createSurface } from './surface.js';
+import { createView } from './view.js';
+
+/** @param {StageOptions} options */
+export function createStage({ host, clock, quality, text, onGridStep = () => {}, onError = () => {} }) {
+  const isLow = quality === 'low';
+  const surface = createSurface({ host, isLow, onResize, onRestore: () => redraw({ castsAnew: true }) });
+  if (!surface) return null;
+  surface.canvas.setAttribute('role', 'img');
+  surface.canvas.setAttribute('aria-label', text.view);
+
+  let castsAnew = true;
+  let isBroken = false;
+  let isFitted = false;
+  /** @type {Rectangle | null} */
+  let free = null;
+
+  const labels = createLabels(host);
+  const invalidate = createFrameLoop(clock, draw);
+  const scene = createScene({ skin: currentSkin(), isLow, labels, text, onChange: redraw, onGridStep });
+  const view = createView(surface.canvas, { onChange: invalidate, onFit: fit });
+  surface.measure();
+
+  /** @param {{ castsAnew: boolean }} change */
+  function redraw(change) {
+    castsAnew ||= change.castsAnew;
+    invalidate();
+  }
+
+  function draw() {
+    if (isBroken || !surface) return;
+    try {
+      if (!isFitted) fit();
+      if (!surface.draw(scene.scene, view.camera, castsAnew)) return;
+      castsAnew = false;
+      labels.place(view.camera, surface.width, surface.height);
+    } catch (error) {
+      isBroken = true;
+      onError(error);
+    }
+  }
+
+  /** @param {number} width @param {number} height */
+  function onResize(width, height) {
+    view.resize(width, height);
+    if (view.isUntouched) fit();
+    invalidate();
+  }
+
+  /**
+   * Get the whole arm into the picture.
+   * @param {Rectangle | null} [freePart]  what of the view nothing covers; as at the last time, if left out
+   */
+  function fit(freePart = free) {
+    free = freePart;
+    const extent = scene.extent();
+    if (!extent || !surface?.width || !surface.height) return;
+    isFitted = true;
+    view.fit(extent.corners, extent.size, free);
+  }
+
+  return {
+    canvas: surface.canvas,
+    get draws() {
+      return surface.draws;
+    },
+    /**
+     * @param {Chain} chain
+     * @param {readonly LinkStyle[]} [styles]  one for each joint; 'auto' where left out. Compared by identity
+     */
+    showArm(chain, styles = NO_STYLES) {
+      scene.showArm(chain, styles);
+      const extent = scene.extent();
+      if (extent) view.scaleTo(extent.size);
+    },
+    showPosture: scene.showPosture,
+    highlightJoint: scene.highlightJoint,
+    holdJoint: scene.holdJoint,
+    showTarget: scene.showTarget,
+    rewrite: scene.rewrite,
+    setTheme: () => scene.setSkin(currentSkin()),
+    fit,
+    zoomBy: view.zoomBy,
+    setDirection: view.setDirection,
+    dispose() {
+      isBroken = true; // a frame that was asked for may still come
+      scene.dispose();
+      labels.dispose();
+      view.dispose();
+      surface.dispose();
+    },
+  };
+}
+
+/** @type {readonly LinkStyle[]} */
+const NO_STYLES = [];

@@ -1,0 +1,88 @@
+/**
+ * What is drawn on: a canvas that fills its host, follows its size, and comes back after the browser has taken the graphics
+ * context away.
+ *
+ * @import { Camera, Scene } from 'three'
+ */
+import { WebGLRenderer } from 'three';
+
+const SHARPEST = 2; // pixels of the screen for one of the page: beyond that it only costs
+
+/**
+ * @param {object} options
+ * @param {HTMLElement} options.host
+ * @param {boolean} options.isLow
+ * @param {(width: number, height: number) => void} options.onResize
+ * @param {() => void} options.onRestore
+ * @returns the surface; null if the browser has no WebGL for it
+ */
+export function createSurface({ host, isLow, onResize, onRestore }) {
+  const canvas = document.createElement('canvas');
+  // asked for here, since Three.js would write its disappointment to the console
+  const context = canvas.getContext('webgl2', { alpha: true, antialias: !isLow, stencil: false, depth: true });
+  if (!context) return null;
+  const renderer = new WebGLRenderer({ canvas, context, alpha: true, antialias: !isLow });
+  renderer.shadowMap.enabled = !isLow;
+  renderer.shadowMap.autoUpdate = false;
+  Object.assign(canvas.style, { display: 'block', width: '100%', height: '100%' });
+  canvas.tabIndex = 0;
+  canvas.dataset.draws = '0';
+  host.prepend(canvas);
+  let width = 0;
+  let height = 0;
+  let ratio = 0;
+  let draws = 0;
+  let isLost = false;
+
+  function measure() {
+    const next = isLow ? 1 : Math.min(SHARPEST, devicePixelRatio);
+    if (host.clientWidth === width && host.clientHeight === height && next === ratio) return;
+    [width, height, ratio] = [host.clientWidth, host.clientHeight, next];
+    if (!width || !height) return;
+    renderer.setPixelRatio(ratio);
+    renderer.setSize(width, height, false);
+    onResize(width, height);
+  }
+  const observer = new ResizeObserver(measure);
+  observer.observe(host);
+
+  function onLost() {
+    isLost = true;
+  }
+  function onRestored() {
+    isLost = false;
+    onRestore();
+  }
+  canvas.addEventListener('webglcontextlost', onLost);
+  canvas.addEventListener('webglcontextrestored', onRestored);
+
+  return {
+    canvas,
+    measure,
+    get width() {
+      return width;
+    },
+    get height() {
+      return height;
+    },
+    get draws() {
+      return draws;
+    },
+    /** @param {Scene} scene @param {Camera} camera @param {boolean} castAnew  draw the shadow again, too */
+    draw(scene, camera, castAnew) {
+      if (isLost || !width || !height) return false;
+      renderer.shadowMap.needsUpdate = castAnew && !isLow;
+      renderer.render(scene, camera);
+      canvas.dataset.draws = String(++draws);
+      return true;
+    },
+    dispose() {
+      observer.disconnect();
+      canvas.removeEventListener('webglcontextlost', onLost);
+      canvas.removeEventListener('webglcontextrestored', onRestored);
+      renderer.dispose();
+      renderer.forceContextLoss(); // a browser has few contexts and gives them up late
+      canvas.remove();
+    },
+  };
+}

@@ -31,7 +31,7 @@ export function headerLines(plan) {
     ),
     '',
     ...paragraph(
-      `Joint values are those that the teach pendant shows, ${axisUnits(slides)}${convention.length ? ':' : '.'}`,
+      `Joint values, ${axisUnits(slides)}, are meant as the teach pendant shows them${convention.length ? ':' : '.'}`,
     ),
     ...convention.flatMap((line) => wrapped(plainText(line), WIDTH - 2).map((text) => `  ${text}`)),
     ...paragraph(
@@ -39,7 +39,8 @@ export function headerLines(plan) {
     ),
     '',
     ...paragraph(
-      'Not verified: that HOLD and alarms stop the motion. %NOPAUSE keeps the KAREL part going; the TP part pauses as usual.',
+      'Not verified: that HOLD and alarms stop the motion. The KAREL part is told to go on (%NOPAUSE), the TP part to pause ' +
+        '(PAUSE_REQUEST = 0).',
     ),
     ...(slides.length === 6
       ? []

@@ -82,7 +82,7 @@ test.for(/** @type {const} */ (['of the first term', 'of the operand']))(
         const tree = /** @type {Expression} */ (drawn);
         expect(readExpression(print(tree), signs)).toEqual(shapeOf(tree));
       }),
-      { seed: SEED, numRuns: runs(500) },
+      { seed: SEED, numRuns: runs(200) },
     );
   },
 );

@@ -39,14 +39,15 @@ test('two postures of a Puma 560 as KAREL', () => {
 -- speed. Load PUMA_MV first. Never run it alone: it goes wherever the
 -- registers say. Some application tools keep PR[1] for themselves.
 --
--- Joint values are those that the teach pendant shows, J1 to J6 in degrees:
+-- Joint values, J1 to J6 in degrees, are meant as the teach pendant shows
+-- them:
 --   J1 = q1
 --   J2 = -q2 + 90 deg
 -- They are rounded to 3 decimals, by at most 0.0005 degrees: for a turning
 -- axis, 0.009 mm at one metre from it.
 --
--- Not verified: that HOLD and alarms stop the motion. %NOPAUSE keeps the KAREL
--- part going; the TP part pauses as usual.
+-- Not verified: that HOLD and alarms stop the motion. The KAREL part is told
+-- to go on (%NOPAUSE), the TP part to pause (PAUSE_REQUEST = 0).
 PROGRAM puma_560
 %COMMENT = 'Puma 560'
 %ENVIRONMENT REGOPE
@@ -280,7 +281,7 @@ test('the header says which axes slide, and that other than six axes are not ver
   const [karel, tp] = writeFanucPair({ ...PUMA, points, convention: [] }).files;
   const header = karel.text.split('PROGRAM')[0].replaceAll('\n-- ', ' ');
   expect(header).toContain(
-    'J1, J2, J4 in degrees, J3 in mm. They are rounded to 3 decimals, by at most 0.0005 degrees or mm',
+    'J1, J2, J4 in degrees, J3 in mm, are meant as the teach pendant shows them. They are rounded to 3 decimals, by at most 0.0005 degrees or mm',
   );
   expect(header).toContain('Not verified: that CNV_REL_JPOS takes an array of 4 for an arm with 4 axes.');
   expect(tp.text.replace(/ ;\r\n *\d+: {2}!/g, ' ')).toContain(

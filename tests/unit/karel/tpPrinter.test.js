@@ -95,7 +95,7 @@ test('no text that is put in can begin a line of its own or end an instruction',
         expect(printed.split(';')).toHaveLength(14 + tree.lines.length);
       }
     }),
-    { seed: SEED, numRuns: runs(500) },
+    { seed: SEED, numRuns: runs(200) },
   );
 });
 

@@ -175,7 +175,7 @@ test('a slide is written in millimetres, and an arm with four axes comes with a 
     WRITTEN,
   );
   expect(readKarelPair(files[0].text).points[1].values).toEqual([10, 20, 150.5, 30]);
-  expect(files[0].text).toContain('J1, J2, J4 in degrees,\n-- J3 in mm');
+  expect(files[0].text).toContain('-- Joint values, J1, J2, J4 in degrees, J3 in mm, are meant');
   expect(issues.map(({ code, path }) => [code, path])).toEqual([
     ['no-controller-data', 'robot.joints'],
     ['axis-count', 'postures'],

@@ -4,7 +4,7 @@
  */
 import js from '@eslint/js';
 import globals from 'globals';
-import { jsdocTypes } from './scripts/jsdocTypes.mjs';
+import { noAny, typesByImportTag } from './scripts/jsdocTypes.mjs';
 
 /** @typedef {readonly (readonly [selector: string, message: string])[]} Restrictions */
 
@@ -73,13 +73,13 @@ export default [
   { ignores: ['dist/', '.cache/', 'coverage/', 'test-results/', 'playwright-report/'] },
   js.configs.recommended,
   {
-    plugins: { denavit: { rules: { 'jsdoc-types': jsdocTypes } } },
+    plugins: { denavit: { rules: { 'no-any': noAny, 'types-by-import-tag': typesByImportTag } } },
     rules: {
       eqeqeq: 'error',
       'prefer-const': 'error',
       'no-var': 'error',
       'object-shorthand': 'error',
-      'denavit/jsdoc-types': 'error',
+      'denavit/no-any': 'error',
     },
   },
   {
@@ -87,6 +87,7 @@ export default [
     languageOptions: { globals: globals.browser },
     rules: {
       'no-restricted-syntax': restrict(TIME_AND_CHANCE, UNITS, HTML_FROM_TEXT, EXPORTS),
+      'denavit/types-by-import-tag': 'error',
       'no-console': 'error',
       'no-alert': 'error',
       'max-lines': ['error', { max: 300, skipBlankLines: true, skipComments: true }],

@@ -21,8 +21,8 @@ export default defineConfig({
   snapshotPathTemplate: 'tests/browser/pictures/{arg}{ext}',
   workers: 1,
   retries: 0,
-  timeout: deep ? 600_000 : 60_000, // guards against hanging: the machine may be slow, so nothing is measured by them
-  expect: { timeout: 15_000, toHaveScreenshot: { maxDiffPixels: 20, animations: 'disabled' } },
+  timeout: deep ? 600_000 : 120_000, // guards against hanging: the machine may be slow and busy
+  expect: { timeout: 30_000, toHaveScreenshot: { maxDiffPixels: 20, animations: 'disabled' } },
   reporter: [['list']],
   use: {
     baseURL: `http://127.0.0.1:${port}/`,

@@ -9,6 +9,7 @@ export default defineConfig({
     modulePreload: { polyfill: false }, // one that cannot preload modules loads them a little later, that is all
     chunkSizeWarningLimit: 600, // kB before compression; what counts is measured by scripts/size.mjs
     rolldownOptions: {
+      checks: { bundlerTimings: false }, // slow plugins are no news on a slow machine
       output: {
         codeSplitting: {
           // Apart, because they seldom change: a new version of the page finds them in the browser's cache.

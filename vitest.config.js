@@ -1,8 +1,12 @@
-/** Unit and property tests: plain Node, no browser. One worker, since two weak cores gain nothing from more. */
+/**
+ * Unit and property tests: plain Node, no browser. One worker, since two weak cores gain nothing from more; and files
+ * share their modules, which saves a third of the time and is safe because no module of ours holds state.
+ */
 import { defineConfig, mergeConfig } from 'vitest/config';
 import viteConfig from './vite.config.js';
 
-const deep = Boolean(process.env.DENAVIT_DEEP);
+/** A guard against hanging, not a measure of speed: the machine may be slow and busy. */
+const timeout = process.env.DENAVIT_DEEP ? 1_800_000 : 120_000;
 
 export default mergeConfig(
   viteConfig,
@@ -12,7 +16,9 @@ export default mergeConfig(
       environment: 'node',
       pool: 'threads',
       maxWorkers: 1,
-      testTimeout: deep ? 1_800_000 : 60_000, // a guard against hanging, not a measure of speed
+      isolate: false,
+      testTimeout: timeout,
+      hookTimeout: timeout,
       coverage: { provider: 'v8', include: ['src/**/*.js'], exclude: ['src/**/*.d.ts'], reporter: ['text', 'html'] },
     },
   }),

@@ -1,26 +1,48 @@
 /**
- * A lint rule for the types in comments, read as TypeScript reads them. They are imported with `@import` at the top of a
- * file, since dependency-cruiser does not see bracket imports in every place that TypeScript allows one; and no type
- * is `any` or another name for it.
+ * Two lint rules for the types in comments, read as TypeScript reads them.
  *
  * @import { Rule } from 'eslint'
  * @import { Node } from 'typescript'
  */
 import ts from 'typescript';
 
-const BRACKET_IMPORT = 'Import types with @import at the top of the file, where the import rule sees them.';
-const SILENCED = 'Correct the type, or use @ts-expect-error with the reason.';
-const ANY = 'Say what it is: no type is any, * or Function.';
+/** Bracket imports are not seen by dependency-cruiser in every place where TypeScript allows them. */
+export const typesByImportTag = typeRule(
+  'Import types with @import at the top of the file, where the import rule sees them.',
+  (node) => ts.isImportTypeNode(node) && !node.isTypeOf, // a module's own type has no other spelling
+);
+
+export const noAny = typeRule(
+  'Say what it is: no type is any, * or Function.',
+  (node) =>
+    node.kind === ts.SyntaxKind.AnyKeyword ||
+    ts.isJSDocAllType(node) ||
+    (ts.isTypeReferenceNode(node) && ts.isIdentifier(node.typeName) && node.typeName.text === 'Function'),
+  /@ts-(ignore|nocheck)\b/,
+);
 
 /**
- * @param {Node} node
- * @returns {string | undefined} what is wrong with it, as a type
+ * @param {string} message
+ * @param {(node: Node) => boolean} isWrong
+ * @param {RegExp} [silencer]  a comment that switches the checks off
+ * @returns {Rule.RuleModule}
  */
-function problemOf(node) {
-  if (ts.isImportTypeNode(node) && !node.isTypeOf) return BRACKET_IMPORT; // a module's own type has no other spelling
-  if (node.kind === ts.SyntaxKind.AnyKeyword || ts.isJSDocAllType(node)) return ANY;
-  if (ts.isTypeReferenceNode(node) && ts.isIdentifier(node.typeName) && node.typeName.text === 'Function') return ANY;
-  return undefined;
+function typeRule(message, isWrong, silencer) {
+  return {
+    meta: { type: 'problem', schema: [] },
+    create: ({ report, filename, sourceCode }) => ({
+      Program() {
+        const file = ts.createSourceFile(filename, sourceCode.text, ts.ScriptTarget.Latest, true, ts.ScriptKind.JS);
+        visitAll(file, (node) => {
+          if (isWrong(node)) report({ loc: sourceCode.getLocFromIndex(node.getStart(file)), message });
+        });
+        for (const { value, loc } of silencer ? sourceCode.getAllComments() : []) {
+          if (loc && silencer?.test(value))
+            report({ loc, message: `${message} Where that cannot be had, @ts-expect-error with the reason.` });
+        }
+      },
+    }),
+  };
 }
 
 /**
@@ -33,21 +55,3 @@ function visitAll(node, visit) {
   for (const comment of jsDoc) visitAll(comment, visit);
   ts.forEachChild(node, (child) => visitAll(child, visit));
 }
-
-/** @type {Rule.RuleModule} */
-export const jsdocTypes = {
-  meta: { type: 'problem', schema: [] },
-  create: ({ report, filename, sourceCode }) => ({
-    Program() {
-      const { text } = sourceCode;
-      const file = ts.createSourceFile(filename, text, ts.ScriptTarget.Latest, true, ts.ScriptKind.JS);
-      visitAll(file, (node) => {
-        const message = problemOf(node);
-        if (message) report({ loc: sourceCode.getLocFromIndex(node.getStart(file)), message });
-      });
-      for (const { value, loc } of sourceCode.getAllComments()) {
-        if (loc && /@ts-(ignore|nocheck)\b/.test(value)) report({ loc, message: SILENCED });
-      }
-    },
-  }),
-};

@@ -36,7 +36,7 @@ export const SCHEMA = {
 };
 
 /**
- * @template {Record<string, Parameter<any>>} Schema
+ * @template {Record<string, Parameter<unknown>>} Schema
  * @param {string} search  as in location.search
  * @param {Schema} schema
  * @returns {{

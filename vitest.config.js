@@ -1,7 +1,4 @@
-/**
- * Unit and property tests: plain Node, no browser. One worker, since two weak cores gain nothing from more; and files
- * share their modules, which saves a third of the time and is safe because no module of ours holds state.
- */
+/** Unit and property tests: plain Node, no browser. One worker, since two weak cores gain nothing from more. */
 import { defineConfig, mergeConfig } from 'vitest/config';
 import viteConfig from './vite.config.js';
 
@@ -16,7 +13,6 @@ export default mergeConfig(
       environment: 'node',
       pool: 'threads',
       maxWorkers: 1,
-      isolate: false,
       testTimeout: timeout,
       hookTimeout: timeout,
       coverage: { provider: 'v8', include: ['src/**/*.js'], exclude: ['src/**/*.d.ts'], reporter: ['text', 'html'] },

@@ -22,6 +22,12 @@ import { compose, poseDifference } from './pose.js';
 /** sin² of an angle below which sin x / x is 1 − x²/6 to the last digit. */
 const SMALL = 1e-8;
 
+/**
+ * A slide steps by no less than this share of a step in proportion to how far out the arm stands, be it ever so small
+ * itself: the positions that the step adds to have no finer digits.
+ */
+const SLIDE_GRAIN = 0.1;
+
 const moved = new Float64Array(16);
 const difference = new Float64Array(6);
 
@@ -57,6 +63,12 @@ export function writeWork(packed, q, { frames, turns, tcp }) {
 export function writeDifferences({ rows, tool }, { frames, turns, tcp }, step, slideStep, J) {
   const cosStep = Math.cos(step);
   const sinStep = Math.sin(step);
+  let farOut = Math.abs(tcp[12]) + Math.abs(tcp[13]) + Math.abs(tcp[14]);
+  for (let at = 0, t = 2; at < rows.length; at += ROW, t += 3) {
+    if (rows[at + SLIDES] === 1) farOut += Math.abs(turns[t]);
+  }
+  const leastSlide = SLIDE_GRAIN * farOut * step; // signed, as the steps are
+  const slideBy = Math.abs(slideStep) > Math.abs(leastSlide) ? slideStep : leastSlide;
   // S: the TCP seen from the frame that joint i + 1 moves in
   let sx0 = tool[0];
   let sx1 = tool[1];
@@ -105,7 +117,7 @@ export function writeDifferences({ rows, tool }, { frames, turns, tcp }, step, s
     let along = d;
     let h = step;
     if (rows[at + SLIDES] === 1) {
-      along = d + slideStep;
+      along = d + slideBy;
       h = along - d; // the step that was really taken
     } else {
       c = cos * cosStep - sin * sinStep;
@@ -148,7 +160,12 @@ export function writeDifferences({ rows, tool }, { frames, turns, tcp }, step, s
     const r1 = 0.5 * (tx2 * mx0 - tx0 * mx2 + ty2 * my0 - ty0 * my2 + tz2 * mz0 - tz0 * mz2);
     const r2 = 0.5 * (tx0 * mx1 - tx1 * mx0 + ty0 * my1 - ty1 * my0 + tz0 * mz1 - tz1 * mz0);
     const square = r0 * r0 + r1 * r1 + r2 * r2;
-    if (square < SMALL && sinStep * sinStep < SMALL) {
+    if (rows[at + SLIDES] === 1) {
+      // nothing turns: the same rotation, to the last bit, if it were multiplied out
+      J[to + 3] = 0;
+      J[to + 4] = 0;
+      J[to + 5] = 0;
+    } else if (square < SMALL && sinStep * sinStep < SMALL) {
       const scale = per * (1 + square / 6);
       J[to + 3] = r0 * scale;
       J[to + 4] = r1 * scale;

@@ -26,10 +26,7 @@ function recordRequests(page, folder) {
 }
 
 /** @param {Page} page */
-const ready = (page) =>
-  page.evaluate(
-    () => /** @type {{ denavit: { ready: Promise<void> } }} */ (/** @type {unknown} */ (window)).denavit.ready,
-  );
+const ready = (page) => page.evaluate(() => window.denavit.ready);
 
 test('the first load and the three seconds after it fetch nothing but what the size check counts', async ({
   page,

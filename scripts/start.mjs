@@ -39,11 +39,9 @@ async function main() {
   if (port !== 0 && got !== port) console.log(`Port ${port} is taken, so this is port ${got}.`);
   console.log(`\n  Denavit is at ${addresses.join('  and at ')}\n\n  Ctrl-C ends it.`);
 
-  for (const signal of /** @type {const} */ (['SIGINT', 'SIGTERM', 'SIGHUP'])) {
-    process.once(signal, () => {
-      server.close().finally(() => process.exit(0));
-    });
-  }
+  process.once('SIGINT', () => {
+    server.close().finally(() => process.exit(0));
+  });
 }
 
 try {

@@ -40,7 +40,8 @@ import { createTheme } from './ui/theme.js';
 import { createViewPanel } from './ui/viewPanel.js';
 
 const { values: parameters, refused } = readQueryParameters(location.search, SCHEMA);
-const clock = parameters.clock === 'manual' ? createManualClock() : createBrowserClock();
+const manualClock = parameters.clock === 'manual' ? createManualClock() : null;
+const clock = manualClock ?? createBrowserClock();
 const shell = createShell();
 const messages = createMessages(shell.notices);
 for (const { name, text, initial } of refused) {
@@ -105,4 +106,4 @@ if (stage) {
 const ready = new Promise((/** @type {(value: void) => void} */ resolve) =>
   clock.onFrame(() => clock.onFrame(resolve)),
 );
-Object.assign(window, { denavit: createScripting(page, ready) });
+window.denavit = createScripting(page, { ready, clock: manualClock });

@@ -6,11 +6,13 @@
  * @property {() => number} now                          seconds
  * @property {(callback: () => void) => void} onFrame    once, at the next frame
  * @property {(seconds: number, callback: () => void) => () => void} after  once, later; returns cancel
+ *
+ * @typedef {Clock & { tick: (seconds?: number) => void, readonly idle: boolean }} ManualClock
  */
 
 /**
  * A clock that moves only when a test says so.
- * @returns {Clock & { tick: (seconds?: number) => void, readonly idle: boolean }}
+ * @returns {ManualClock}
  */
 export function createManualClock() {
   let time = 0;

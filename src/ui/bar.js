@@ -11,7 +11,7 @@ import $ from 'jquery/slim';
 import Dropdown from 'bootstrap/js/src/dropdown.js';
 import { LIBRARY, newDocument } from '../model/library.js';
 import { isSliding } from '../model/document.js';
-import { fill, h } from './dom.js';
+import { fill, h, spoken } from './dom.js';
 import { icon } from './icons.js';
 import { TEXT } from './strings.js';
 
@@ -37,7 +37,13 @@ export function createBar(page, host, { files, theme }) {
 
   fill(
     host,
-    h('h1', { class: 'brand' }, icon('brand'), h('span', { class: 'wide-only' }, TEXT.product)),
+    h(
+      'h1',
+      { class: 'brand' },
+      icon('brand'),
+      spoken(TEXT.product),
+      h('span', { class: 'wide-only', 'aria-hidden': 'true' }, TEXT.product),
+    ),
     h('span', { class: 'rule wide-only' }),
     menu(TEXT.bar.chooseRobot, [robotName, robotTypes], robotItems(page)),
     menu(null, [TEXT.bar.file], fileItems(files)),

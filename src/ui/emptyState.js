@@ -5,4 +5,4 @@ import { h } from './dom.js';
 
 /** @param {string} title @param {string} detail @param {HTMLElement} action */
 export const emptyState = (title, detail, action) =>
-  h('div', { class: 'empty' }, h('h3', {}, title), h('p', {}, detail), action);
+  h('div', { class: 'empty' }, h('h2', {}, title), h('p', {}, detail), action);

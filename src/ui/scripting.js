@@ -2,6 +2,7 @@
  * `window.denavit`: the page for scripts, driving the same commands as the panels. Documented in docs/api.md.
  *
  * @import { Page } from './page.js'
+ * @import { ManualClock } from '../model/clock.js'
  * @import { Doc } from '../model/document.js'
  */
 import { writeRobotXml } from '../io/robotXmlWriter.js';
@@ -10,9 +11,11 @@ import { LIBRARY, newDocument } from '../model/library.js';
 
 /**
  * @param {Page} page
- * @param {Promise<void>} ready  the first picture is drawn
+ * @param {object} given
+ * @param {Promise<void>} given.ready  the page stands and its first frame is drawn
+ * @param {ManualClock | null} given.clock  what moves the page's time, where nothing else does
  */
-export function createScripting({ store, derived, clock }, ready) {
+export function createScripting({ store, derived }, { ready, clock }) {
   /** @param {Doc} doc */
   const replace = (doc) => store.dispatch({ type: 'replace-document', doc });
 

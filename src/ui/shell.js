@@ -90,6 +90,7 @@ export function runPanels(page, { app, tablist, tabs, dock }) {
   page.addView(
     ({ session }) => session.tab,
     (open) => {
+      app.dataset.tab = open;
       tabButtons.forEach((button, i) => {
         button.setAttribute('aria-selected', String(TABS[i] === open));
         button.tabIndex = TABS[i] === open ? 0 : -1;

@@ -12,7 +12,8 @@ describe('a number on the screen', () => {
   });
 
   test('of a table stands as it was typed', () => {
-    for (const value of [671.83, 20.3, 0.1, 1e-7, 123456789.123]) expect(plain(value)).toBe(String(value));
+    for (const value of [671.83, 20.3, -0.1, 1e-7, 123456789.123]) expect(readNumber(plain(value)).value).toBe(value);
+    expect(plain(671.83)).toBe('671.83');
   });
 
   test('has the decimals that its unit needs', () => {

@@ -1,0 +1,66 @@
+/** Aiming: a typed pose, inverse kinematics, and the verdict in words. */
+import { expect, test } from '@playwright/test';
+import { open, tool } from './page.js';
+
+/** @param {import('@playwright/test').Page} page @param {Record<string, number>} numbers */
+async function aimAt(page, numbers) {
+  for (const [name, value] of Object.entries(numbers)) {
+    await page.getByLabel(new RegExp(`^Target ${name},`)).fill(String(value));
+  }
+  await page.getByRole('button', { name: 'Move there' }).click();
+}
+
+test('a typed pose takes the arm there', async ({ page }) => {
+  await open(page);
+  await aimAt(page, { X: 450, Y: 100, Z: 900, W: 180, P: 0, R: 30 });
+  await expect(page.locator('.verdict-line')).toHaveText('Reached: 0.00 mm, 0.00° off.');
+  const pose = await page.evaluate(() => window.denavit.pose());
+  // Tool straight down, turned by 30° about the vertical, written out by hand.
+  const [c, s] = [Math.cos(Math.PI / 6), 0.5];
+  const expected = [[c, s, 0, 0.45], [s, -c, 0, 0.1], [0, 0, -1, 0.9], [0, 0, 0, 1]]; // prettier-ignore
+  pose.forEach((row, i) => row.forEach((value, j) => expect(value).toBeCloseTo(expected[i][j], 8)));
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(page.locator('.verdict-line')).toContainText('to go.');
+});
+
+test('a target out of reach says by how much, leaves the arm, and offers the nearest', async ({ page }) => {
+  await open(page);
+  const place = await tool(page);
+  await aimAt(page, { X: 3000 });
+  await expect(page.locator('.verdict-line')).toContainText('Out of reach, by at least');
+  expect(await tool(page)).toEqual(place);
+  await page.getByRole('button', { name: 'Go to the nearest' }).click();
+  expect((await tool(page))[0]).toBeGreaterThan(0.8);
+  await expect(page.locator('.tag.miss')).toContainText('mm');
+});
+
+test('an arm with four joints meets what it can, and says what that is', async ({ page }) => {
+  await open(page, 'robot=scara_cobra600');
+  await aimAt(page, { X: 450, Y: 100, Z: 300, W: 150, P: 0, R: 40 });
+  await expect(page.locator('.verdict-line')).toContainText('Met as far as this arm can: the position.');
+  const [x, y, z] = await tool(page);
+  for (const [value, wanted] of [[x, 0.45], [y, 0.1], [z, 0.3]]) expect(value).toBeCloseTo(wanted, 8); // prettier-ignore
+});
+
+test('a field that holds no number is marked, and nothing moves', async ({ page }) => {
+  await open(page);
+  await aimAt(page, { X: 400 });
+  const place = await tool(page);
+  await page.getByLabel('Target Z, millimetres').fill('high');
+  await page.keyboard.press('Enter');
+  await expect(page.locator('#aim-reason')).toContainText('“high” is not a number');
+  await expect(page.getByLabel('Target Z, millimetres')).toBeFocused();
+  expect(await tool(page)).toEqual(place);
+});
+
+test('the fields follow the tool until someone types, and again when asked', async ({ page }) => {
+  await open(page);
+  const x = page.getByLabel('Target X, millimetres');
+  await page.evaluate(() => window.denavit.setJoints([0, 0, 0, 0, 0, 0]));
+  await expect(x).toHaveValue('452.10');
+  await x.fill('400');
+  await page.evaluate(() => window.denavit.setJoints([0, 45, -180, 0, 45, 0]));
+  await expect(x).toHaveValue('400');
+  await page.getByRole('button', { name: 'Take the tool pose' }).click();
+  await expect(x).toHaveValue('596.30');
+});

@@ -1,0 +1,180 @@
+/** The arm, its table and its joints: what a person changes is what the numbers and the picture show. */
+import { expect, test } from '@playwright/test';
+import { draws, open, picture, settled, shownPose, tool } from './page.js';
+
+const A2 = 'Joint 2, link length a, millimetres';
+
+test('a link length typed into the table changes the arm, its pose and its picture, and undo brings all back', async ({
+  page,
+}) => {
+  await open(page);
+  const [before, place] = [await picture(page), await tool(page)];
+  await page.getByLabel(A2).fill('600');
+  await page.keyboard.press('Enter');
+
+  // The nominal posture of the Puma 560: q2 = 45°, so 168.2 mm of length move the tool by 118.93 mm forward and up.
+  const longer = await tool(page);
+  expect(longer[0] - place[0]).toBeCloseTo(0.1682 * Math.SQRT1_2, 9);
+  expect(longer[2] - place[2]).toBeCloseTo(0.1682 * Math.SQRT1_2, 9);
+  await expect(shownPose(page, 'X')).toHaveText('715.24');
+  expect((await picture(page)).equals(before)).toBe(false);
+
+  await page.getByRole('button', { name: 'Undo' }).click();
+  expect(await tool(page)).toEqual(place);
+  await expect(page.getByLabel(A2)).toHaveValue('431.8');
+  await page.mouse.move(0, 0);
+  await page.locator('canvas').evaluate((canvas) => canvas.blur());
+  expect((await picture(page)).equals(before)).toBe(true);
+  await page.getByRole('button', { name: 'Redo' }).click();
+  expect(await tool(page)).toEqual(longer);
+});
+
+test('the arm follows while a number is typed, and Escape leaves no trace', async ({ page }) => {
+  await open(page);
+  const place = await tool(page);
+  await page.getByLabel(A2).click();
+  await page.keyboard.type('500');
+  expect((await tool(page))[0]).not.toBeCloseTo(place[0], 3);
+  await page.keyboard.press('Escape');
+  expect(await tool(page)).toEqual(place);
+  await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
+});
+
+test('a text that is no number stays, marked, with the reason beside it; the arm is as it was', async ({ page }) => {
+  await open(page);
+  const place = await tool(page);
+  const cell = page.getByLabel(A2);
+  await cell.fill('43l.8');
+  await cell.blur();
+  await expect(cell).toHaveAttribute('aria-invalid', 'true');
+  await expect(cell).toHaveValue('43l.8');
+  await expect(page.locator('#cell-line')).toContainText('“43l.8” is not a number; expected one such as 431.8.');
+  await expect(page.locator('#cell-line')).toContainText('Kept as it was: 431.8 mm');
+  expect(await tool(page)).toEqual(place);
+  await cell.fill('12,5');
+  await cell.blur();
+  await expect(page.locator('#cell-line')).toContainText('Decimals are written with a point: 12.5.');
+  await cell.focus();
+  await page.keyboard.press('Escape');
+  await expect(cell).toHaveValue('431.8');
+  await expect(cell).not.toHaveAttribute('aria-invalid');
+});
+
+test('limits may not cross', async ({ page }) => {
+  await open(page);
+  const lower = page.getByLabel('Joint 1, lower limit, degrees');
+  await lower.fill('170');
+  await lower.blur();
+  await expect(page.locator('#cell-line')).toContainText('The lower limit must not be above the upper one, 160.');
+  expect(await page.evaluate(() => window.denavit.model().joints[0].lower)).toBe(-160);
+});
+
+test('the table is walked with arrow keys, Enter and Tab', async ({ page }) => {
+  await open(page);
+  await page.getByLabel(A2).focus();
+  await page.keyboard.press('ArrowDown');
+  await expect(page.getByLabel('Joint 3, link length a, millimetres')).toBeFocused();
+  await page.keyboard.press('ArrowLeft');
+  await expect(page.getByLabel('Joint 3, link offset d, millimetres')).toBeFocused();
+  await page.keyboard.type('160');
+  await page.keyboard.press('Enter');
+  await expect(page.getByLabel('Joint 4, link offset d, millimetres')).toBeFocused();
+  await page.keyboard.press('Tab');
+  await expect(page.getByLabel('Joint 4, link length a, millimetres')).toBeFocused();
+  expect(await page.evaluate(() => window.denavit.model().joints[2].d)).toBe(160);
+});
+
+test('a pull of a slider moves the arm and is one undo step', async ({ page }) => {
+  await open(page);
+  const joints = () => page.evaluate(() => window.denavit.joints());
+  const before = await joints();
+  const place = await tool(page);
+  const box = await page.getByLabel('Joint 1', { exact: true }).boundingBox();
+  if (!box) throw new Error('The slider is not on the page.');
+  const y = box.y + box.height / 2;
+  await page.mouse.move(box.x + box.width / 2, y);
+  await page.mouse.down();
+  for (const part of [0.55, 0.6, 0.7]) await page.mouse.move(box.x + box.width * part, y);
+  await expect(page.locator('.tag.dim')).toContainText('J1'); // the gauge with its value, while it is held
+  await page.mouse.up();
+  const [q1] = await joints();
+  expect(q1).toBeGreaterThan(40);
+  expect(await tool(page)).not.toEqual(place);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  expect(await joints()).toEqual(before);
+  await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
+});
+
+test('a joint is moved by keys alone, and a value beyond its stop is refused in words', async ({ page }) => {
+  await open(page);
+  await page.getByLabel('Joint 1', { exact: true }).focus();
+  for (let i = 0; i < 5; i++) await page.keyboard.press('ArrowRight');
+  expect((await page.evaluate(() => window.denavit.joints()))[0]).toBeCloseTo(0.5, 9);
+  const field = page.getByLabel('Joint 2, degrees');
+  await field.fill('226');
+  await page.keyboard.press('Enter');
+  await expect(page.locator('#jog-reason')).toHaveText('J2 goes from −45° to 225°.');
+  expect((await page.evaluate(() => window.denavit.joints()))[1]).toBe(45);
+  await page.keyboard.press('Escape');
+  await expect(field).toHaveValue('45');
+});
+
+test('home brings the arm home', async ({ page }) => {
+  await open(page);
+  const home = await page.evaluate(() => window.denavit.joints());
+  await page.evaluate(() => window.denavit.setJoints([10, 20, 30, 40, 50, 60]));
+  await page.getByRole('button', { name: 'Go to home' }).click();
+  expect(await page.evaluate(() => window.denavit.joints())).toEqual(home);
+});
+
+test('a still robot costs no frames', async ({ page }) => {
+  await open(page);
+  await settled(page);
+  const drawn = await draws(page);
+  for (let i = 0; i < 10; i++) await settled(page);
+  expect(await draws(page)).toBe(drawn);
+  await page.evaluate(() => window.denavit.setJoints([10, 45, -180, 0, 45, 0]));
+  await settled(page);
+  expect(await draws(page)).toBe(drawn + 1);
+});
+
+test('the view turns, moves and zooms by keys, and fits again', async ({ page }) => {
+  await open(page);
+  const first = await picture(page);
+  const canvas = page.locator('canvas');
+  await canvas.focus();
+  const focused = await picture(page);
+  for (const key of ['ArrowLeft', '+', 'Shift+ArrowUp']) {
+    const before = await picture(page);
+    await page.keyboard.press(key);
+    expect((await picture(page)).equals(before), key).toBe(false);
+  }
+  await page.keyboard.press('f');
+  expect((await picture(page)).equals(focused)).toBe(true);
+  await canvas.blur();
+  expect((await picture(page)).equals(first)).toBe(true);
+});
+
+test('the picture comes back after the graphics context was lost', async ({ page }) => {
+  await open(page);
+  const before = await picture(page);
+  await page.locator('canvas').evaluate(async (canvas) => {
+    const gl = /** @type {HTMLCanvasElement} */ (canvas).getContext('webgl2');
+    const loss = gl?.getExtension('WEBGL_lose_context');
+    const restored = new Promise((resolve) => canvas.addEventListener('webglcontextrestored', resolve));
+    loss?.loseContext();
+    await new Promise((resolve) => requestAnimationFrame(resolve));
+    loss?.restoreContext();
+    await restored;
+  });
+  expect((await picture(page)).equals(before)).toBe(true);
+});
+
+for (const robot of ['puma560', 'ur5', 'scara_cobra600', 'planar2r']) {
+  test(`the picture of ${robot} is the one that was looked at and found good`, async ({ page }) => {
+    await open(page, `robot=${robot}`);
+    await page.addStyleTag({ content: '.scene-labels { visibility: hidden; }' }); // letters depend on the machine's fonts
+    await settled(page);
+    await expect(page.locator('canvas')).toHaveScreenshot(`${robot}.png`);
+  });
+}

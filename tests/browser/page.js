@@ -1,0 +1,47 @@
+/**
+ * What the journeys share: opening the page, and looking at the picture.
+ * @import { Page } from '@playwright/test'
+ */
+import { expect } from '@playwright/test';
+
+/**
+ * Opens the production build. Anything said on the console as an error, and any uncaught one, fails the test.
+ * @param {Page} page
+ * @param {string} [query]  without the question mark
+ */
+export async function open(page, query = '') {
+  page.on('pageerror', (error) => expect.soft(error.message, 'an uncaught error').toBe(''));
+  page.on('console', (message) => {
+    if (message.type() === 'error') expect.soft(message.text(), 'an error on the console').toBe('');
+  });
+  await page.goto(`./?quality=low&theme=light&${query}`);
+  await page.evaluate(() => window.denavit.ready);
+}
+
+/** The scene's pixels, once it has drawn all that was asked of it. @param {Page} page */
+export async function picture(page) {
+  await settled(page);
+  return page.locator('canvas').screenshot();
+}
+
+/** Lets some frames pass, and the last picture with them. @param {Page} page */
+export const settled = (page) =>
+  page.evaluate(async () => {
+    for (let i = 0; i < 4; i++) await new Promise((resolve) => requestAnimationFrame(resolve));
+  });
+
+/** How often the scene was drawn so far. @param {Page} page */
+export const draws = (page) => page.locator('canvas').evaluate((canvas) => Number(canvas.dataset.draws));
+
+/** The tool's place: x, y, z in metres. @param {Page} page */
+export const tool = (page) =>
+  page.evaluate(() =>
+    window.denavit
+      .pose()
+      .slice(0, 3)
+      .map((row) => row[3]),
+  );
+
+/** A number of the tool's pose as the panel shows it. @param {Page} page @param {string} name X Y Z W P R */
+export const shownPose = (page, name) =>
+  page.locator('.pose-panel .pose > div', { has: page.getByText(name, { exact: true }) }).locator('output');

@@ -1,0 +1,164 @@
+/** The page's own manners: every screen, keyboard, assistive technology, and what happens when something is missing. */
+import AxeBuilder from '@axe-core/playwright';
+import { chromium, expect, test } from '@playwright/test';
+import { LAUNCH_ARGUMENTS } from '../../scripts/browserLaunch.mjs';
+import { open, settled, tool } from './page.js';
+
+/** @param {import('@playwright/test').Page} page */
+async function expectAccessible(page) {
+  await settled(page);
+  const { violations } = await new AxeBuilder({ page }).analyze();
+  expect(violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' ')).join(', ')}`)).toEqual(
+    [],
+  );
+}
+
+/** @param {import('@playwright/test').Page} page */
+const recordTwo = (page) =>
+  page.evaluate(async () => {
+    const xml = window.denavit
+      .xml()
+      .replace('</postures>', '<posture id="p1" q="0 45 -180 0 45 0"/><posture id="p2" q="9 9 9 9 9 9"/></postures>');
+    await window.denavit.load(xml);
+  });
+
+for (const theme of ['light', 'dark']) {
+  test(`axe finds nothing on any panel, ${theme}`, async ({ page }) => {
+    await open(page);
+    if (theme === 'dark') await page.getByRole('button', { name: 'Colours: light or dark' }).click();
+    await expectAccessible(page);
+    await page.getByLabel('Joint 2, link length a, millimetres').fill('x');
+    await page.getByLabel('Target X, millimetres').fill('9000');
+    await page.keyboard.press('Enter');
+    await expectAccessible(page);
+    for (const tab of ['Program', 'Code']) {
+      await page.getByRole('tab', { name: tab }).click();
+      await expectAccessible(page);
+    }
+    await recordTwo(page);
+    await expect(page.locator('.code')).toContainText('PROGRAM');
+    await expectAccessible(page);
+    await page.getByRole('tab', { name: 'Program' }).click();
+    await expectAccessible(page);
+    await page.getByRole('button', { name: 'File' }).click();
+    await expectAccessible(page);
+    await page.keyboard.press('Escape');
+    await page
+      .locator('input[type=file]')
+      .setInputFiles({ name: 'a.xml', mimeType: 'text/xml', buffer: Buffer.from('<a>') });
+    await expect(page.getByRole('dialog')).toBeVisible();
+    await expectAccessible(page);
+  });
+}
+
+test.describe('on a phone', () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+
+  test('each panel opens from the dock, fits, and axe finds nothing', async ({ page }) => {
+    await open(page);
+    await recordTwo(page);
+    for (const [name, room] of [
+      ['Robot', 'robot'],
+      ['Jog', 'jog'],
+      ['Aim', 'aim'],
+      ['Program', 'program'],
+      ['Code', 'code'],
+    ]) {
+      // prettier-ignore
+      await page.getByRole('navigation', { name: 'Panels' }).getByRole('button', { name }).tap();
+      await expect(page.locator(`[data-room=${room}]`)).toBeVisible();
+      const width = await page.evaluate(() => document.documentElement.scrollWidth);
+      expect(width, `${name} is wider than the screen`).toBeLessThanOrEqual(390);
+      const view = await page.locator('canvas').boundingBox();
+      expect(view?.height ?? 0, `${name} leaves too little of the view`).toBeGreaterThanOrEqual(240);
+      await expectAccessible(page);
+    }
+  });
+
+  test('a joint is moved by touch', async ({ page }) => {
+    await open(page);
+    const place = await tool(page);
+    const box = await page.getByLabel('Joint 1', { exact: true }).boundingBox();
+    if (!box) throw new Error('The slider is not on the page.');
+    expect(box.height).toBeGreaterThanOrEqual(44);
+    await page.touchscreen.tap(box.x + box.width * 0.7, box.y + box.height / 2);
+    expect(await tool(page)).not.toEqual(place);
+  });
+});
+
+for (const [width, height] of [
+  [768, 1024],
+  [1366, 768],
+  [1920, 1080],
+  [844, 390],
+]) {
+  // prettier-ignore
+  test(`nothing is cut off at ${width} × ${height}`, async ({ page }) => {
+    await page.setViewportSize({ width, height });
+    await open(page, 'robot=scara_cobra600');
+    await settled(page);
+    const faults = await page.evaluate(() => {
+      const cut = [...document.querySelectorAll('.grid input, .pose output, .topbar > *, .field input')].filter(
+        (element) => element.checkVisibility() && element.scrollWidth > element.clientWidth + 1 && element.clientWidth > 0,
+      );
+      const { scrollWidth, clientWidth } = document.documentElement;
+      return [...cut.map((element) => element.getAttribute('aria-label') ?? element.textContent), ...(scrollWidth > clientWidth ? ['page'] : [])];
+    });
+    expect(faults).toEqual([]);
+  });
+}
+
+test('a bad or unknown query parameter is a visible warning, and the page stands', async ({ page }) => {
+  await open(page, 'robot=r2d2&cat=%3Cb%3E');
+  await expect(page.getByRole('alert')).toHaveText([
+    '?robot=r2d2 is not understood; using puma560.',
+    'There is no ?cat parameter.',
+  ]);
+  await expect(page.getByRole('button', { name: /Puma 560/ })).toBeVisible();
+});
+
+test('without WebGL the table and the numbers work, and the view says why it is empty', async ({
+  baseURL,
+  launchOptions,
+}) => {
+  const browser = await chromium.launch({ ...launchOptions, args: [...LAUNCH_ARGUMENTS, '--disable-3d-apis'] });
+  try {
+    const context = await browser.newContext({ baseURL });
+    const page = await context.newPage();
+    await page.goto('./?theme=light');
+    await page.evaluate(() => window.denavit.ready);
+    await expect(page.locator('.view')).toContainText('WebGL is off or missing');
+    const place = await tool(page);
+    await page.getByLabel('Joint 2, link length a, millimetres').fill('500');
+    await page.keyboard.press('Enter');
+    expect(await tool(page)).not.toEqual(place);
+    await expectAccessible(page);
+  } finally {
+    await browser.close();
+  }
+});
+
+test('an arm is chosen from the library by keys, and undo brings the other back', async ({ page }) => {
+  await open(page);
+  await page.getByRole('button', { name: /Puma 560/ }).focus();
+  await page.keyboard.press('Enter');
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('button', { name: /UR5/ })).toBeVisible();
+  await page.keyboard.press('Control+z');
+  await expect(page.getByRole('button', { name: /Puma 560/ })).toBeVisible();
+  await page.keyboard.press('Control+Shift+z');
+  await expect(page.getByRole('button', { name: /UR5/ })).toBeVisible();
+});
+
+test('nothing moves by itself: with a manual clock frames come when a test says so', async ({ page }) => {
+  await page.goto('./?quality=low&theme=light&clock=manual');
+  await page.waitForFunction(() => Boolean(window.denavit));
+  await expect(page.locator('.pose output').first()).toHaveText('');
+  await page.evaluate(() => {
+    const { clock } = window.denavit;
+    for (let i = 0; i < 3; i++) clock?.tick();
+  });
+  await expect(page.locator('.pose output').first()).toHaveText('596.30');
+});

@@ -16,6 +16,7 @@ export const FILE_ISSUES = Object.freeze({
   doctype: 'error',
   'too-many-elements': 'error',
   'too-deep': 'error',
+  'too-many-attributes': 'error',
   'attribute-length': 'error',
   'not-xml': 'error', // not well-formed
   namespace: 'error', // a prefix that is not declared, or declared wrongly

@@ -5,3 +5,5 @@ export const MAX_TEXT_LENGTH = 1024 * 1024;
 export const MAX_ELEMENTS = 2000;
 export const MAX_DEPTH = 32;
 export const MAX_ATTRIBUTE_LENGTH = 10_000;
+export const MAX_ATTRIBUTES = 100; // of one element, namespace declarations included
+export const MAX_ISSUES = 100; // that are listed of one file; nobody reads more

@@ -4,6 +4,7 @@
  *
  * @import { XmlElement, XmlNode } from './xmlTree.js'
  */
+import { allIn } from './xmlNamespaces.js';
 import { escapeLines, escapeWithBlanks } from './xmlText.js';
 
 /**
@@ -12,15 +13,16 @@ import { escapeLines, escapeWithBlanks } from './xmlText.js';
  */
 export function foreignXml(element) {
   const plain = serialise(element, '');
-  const inherited = [...element.inScope].filter(([prefix]) => !element.declared.has(prefix) && prefix !== 'xml');
+  const { declared } = element.scope;
+  const inherited = [...allIn(element.scope)].filter(([prefix]) => !declared.has(prefix) && prefix !== 'xml');
   // A prefix may also stand in a value (xsi:type="a:b"), so whatever looks like a use of it counts.
   const needed = inherited.filter(([prefix]) => (prefix === '' ? usesDefault(element) : plain.includes(`${prefix}:`)));
   return serialise(element, needed.sort(byPrefix).map(declaration).join(''));
 }
 
 /** @param {XmlElement} element @param {string} declarations more of them */
-function serialise({ name, declared, attributes, children }, declarations) {
-  const own = [...declared].map(declaration).join('');
+function serialise({ name, scope, attributes, children }, declarations) {
+  const own = [...scope.declared].map(declaration).join('');
   const rest = attributes.map((attribute) => ` ${attribute.name}="${escapeWithBlanks(attribute.value)}"`).join('');
   /** @type {string} */
   const content = children.map(nodeText).join('');
@@ -53,7 +55,7 @@ const declaration = ([prefix, namespace]) =>
 const byPrefix = ([a], [b]) => (a < b ? -1 : 1);
 
 /** Whether an element without a prefix takes its namespace from outside. @param {XmlElement} element @returns {boolean} */
-function usesDefault({ name, declared, children }) {
-  if (declared.has('')) return false;
+function usesDefault({ name, scope, children }) {
+  if (scope.declared.has('')) return false;
   return !name.includes(':') || children.some((node) => node.kind === 'element' && usesDefault(node));
 }

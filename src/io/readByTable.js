@@ -23,7 +23,8 @@
  * @property {(element: XmlElement, reader: Reader) => string | null} foreignText
  */
 import { shownText } from '../model/shownText.js';
-import { fileIssue } from './fileIssues.js';
+import { fileIssue, hasErrors } from './fileIssues.js';
+import { MAX_ISSUES } from './fileLimits.js';
 import { setAt, valueAt } from './record.js';
 import { collapse } from './valueTypes.js';
 import { SCHEMA_INSTANCE } from './xmlNamespaces.js';
@@ -61,7 +62,7 @@ function readAttributes({ attributes }, element, place, reader) {
   for (const { name } of element.attributes.filter((attribute) => !isKnown(attribute))) {
     const expected = attributes.length > 0 ? `only ${attributes.map((rule) => rule.name).join(', ')}` : 'no attributes';
     const found = `has the attribute "${shownText(name)}"; expected ${expected}`;
-    report(reader, 'unknown-attribute', element, place, found, { line: element.lineOf(name) });
+    report(reader, 'unknown-attribute', element, place, found, { attribute: name });
   }
   for (const rule of attributes) {
     const attribute = element.attributes.find(
@@ -87,7 +88,7 @@ function readAttribute({ name, type, at }, text, element, place, reader) {
     return;
   }
   const found = `has ${name}="${shownText(text)}"; expected ${reading.expected}`;
-  report(reader, reading.code, element, place, found, { at, line: element.lineOf(name) });
+  report(reader, reading.code, element, place, found, { at, attribute: name });
 }
 
 /** @param {{ type: ValueType, at: string }} rule @param {XmlElement} element @param {Place} place @param {Reader} reader */
@@ -215,10 +216,15 @@ const join = (path, more) => (path ? `${path}.${more}` : more);
  * @param {XmlElement} element
  * @param {Place} place
  * @param {string} found  and expected; the sentence without its subject and full stop
- * @param {{ at?: string, line?: number }} [where]
+ * @param {{ at?: string, line?: number, attribute?: string }} [where]
  */
-function report(reader, code, element, { path, item, itemElement }, found, { at, line = element.line } = {}) {
+function report({ issues }, code, element, { path, item, itemElement }, found, { at, line, attribute } = {}) {
+  if (issues.length >= MAX_ISSUES && hasErrors(issues)) return;
   const tag = `<${element.localName}>`;
   const inItem = item && element !== itemElement ? `${tag} of ${item}` : item;
-  reader.issues.push(fileIssue(code, `${inItem ?? tag} ${found}.`, { line, path: at ? join(path, at) : path }));
+  const place = {
+    line: line ?? (attribute ? element.lineOf(attribute) : element.line),
+    path: at ? join(path, at) : path,
+  };
+  issues.push(fileIssue(code, `${inItem ?? tag} ${found}.`, place));
 }

@@ -11,6 +11,7 @@
 import { homePosture } from '../model/document.js';
 import { PRESENT_POSTURE_ID } from '../model/documentRules.js';
 import { deepFreeze } from '../model/freeze.js';
+import { documentIssue } from '../model/issues.js';
 import { reviewDocument } from '../model/review.js';
 import { validateDocument } from '../model/validate.js';
 import { atLine, fileIssue, hasErrors } from './fileIssues.js';
@@ -53,8 +54,13 @@ function readDocument(root) {
   if (hasErrors(reader.issues)) return { doc, issues: reader.issues };
 
   sources.follow(doc, '', file, '');
-  const present = /** @type {PostureDoc[]} */ (file.postures).find(isPresent);
+  const [present, ...more] = /** @type {PostureDoc[]} */ (file.postures).filter(isPresent);
   if (present) sources.follow(doc, 'posture', present, 'q');
+  if (more.length > 0) {
+    const message = `Two postures have the id "${present.id}"; expected a different id for each.`;
+    const issue = documentIssue('id-taken', 'posture', message);
+    return { doc, issues: [...reader.issues, atLine(issue, sources.lineOf(more[0], ''))] };
+  }
   const rounded = roundQuaternions(doc);
   const faults = validateDocument(doc);
   const checks = faults.length > 0 ? faults : [...kinematicIssues(doc), ...reviewDocument(doc)];

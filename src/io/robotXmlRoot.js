@@ -28,8 +28,9 @@ export function rootIssues(root) {
   const start = `<${ROBOT_MODEL.name} xmlns="${ROBOT_NAMESPACE}">`;
   if (localName !== ROBOT_MODEL.name) {
     const format = OTHER_FORMATS.get(localName);
-    const what = format ? `, as a file in the format ${format}` : '';
-    return [fileIssue('not-a-robot', `The file begins with <${shownText(name)}>${what}; expected ${start}.`, { line })];
+    const beginning = `begins with <${shownText(name)}>`;
+    const found = format ? `is in the format ${format} (it ${beginning})` : beginning;
+    return [fileIssue('not-a-robot', `The file ${found}; expected ${start}.`, { line })];
   }
   if (namespace !== ROBOT_NAMESPACE) {
     const found = namespace === '' ? 'no namespace' : `the namespace "${shownText(namespace)}"`;

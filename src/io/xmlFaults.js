@@ -23,7 +23,6 @@ const SENTENCES = [
   ],
   ['Unclosed attribute', 'The value of an attribute does not end; expected a quotation mark.'],
   ['Unclosed CDATA', 'A CDATA section does not end; expected "]]>".'],
-  ['Element content may not contain the CDATA', 'The characters "]]>" stand in a text; expected "]]&gt;".'],
   ['The string `--`', 'The characters "--" stand in a comment; expected "-->" or nothing of the kind.'],
   ['Unclosed comment', 'A comment does not end; expected "-->".'],
   ['Unclosed start tag for element ', 'The tag <$ does not end properly; expected more attributes, or ">".'],
@@ -38,6 +37,7 @@ const SENTENCES = [
   ["Named entity isn't defined: ", 'The reference $ is not known; expected &amp;, &lt;, &gt;, &quot; or &apos;.'],
   ['Extra content at the end', 'There is more after the end of the root element; expected the end of the file.'],
 ];
+const STRAY_CDATA_END = 'The characters "]]>" stand in a text; expected "]]&gt;".';
 const OTHER = 'The file is not well-formed XML here; expected elements such as <chain> … </chain>.';
 const XML_DECLARATION = 'The XML declaration is misspelt; expected <?xml version="1.0" encoding="UTF-8"?>.';
 const IS_DECLARATION = /XML declaration|XML version|version number|encoding name|of `standalone`/;
@@ -63,6 +63,8 @@ function sentence(said, text, at) {
   if (said === 'Root element is missing or invalid') {
     return `The file has ${found(text, at)} where its root element must begin; expected an element such as <robotModel>.`;
   }
+  // The parser sees "]]>" only after another character, and else misses an end tag where it stands.
+  if (text.startsWith(']]>', at)) return STRAY_CDATA_END;
   const end = /^Missing end tag for element (.*)$/.exec(said);
   if (end)
     return `The element <${shownText(end[1])}> is not closed: expected </${shownText(end[1])}>, found ${found(text, at)}.`;

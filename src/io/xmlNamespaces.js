@@ -1,6 +1,10 @@
 /**
  * Namespaces in XML 1.0: from prefixes to namespaces, and what is wrong with them.
  *
+ * @typedef {object} Scope  the namespaces in force at an element
+ * @property {ReadonlyMap<string, string>} declared  by itself, by prefix; '' is the default namespace
+ * @property {Scope | null} outer
+ *
  * @typedef {(message: string) => void} Complain
  */
 import { shownText } from '../model/shownText.js';
@@ -12,49 +16,80 @@ const XMLNS_NAMESPACE = 'http://www.w3.org/2000/xmlns/';
 /** Nothing, or a character that may go on a name and may not begin one. */
 const NO_START = /^(?:$|[-.\d\u{B7}\u{203F}\u{2040}]|[\u{300}-\u{36F}])/u;
 
-/** What holds before anything is declared. @type {ReadonlyMap<string, string>} */
-export const XML_SCOPE = new Map([
-  ['', ''],
-  ['xml', XML_NAMESPACE],
-]);
+/** The characters of a URI (RFC 3986); a namespace is one. */
+const URI = /^[\w!#$%&'()*+,./:;=?@[\]~-]*$/;
+
+/** What holds before anything is declared. @type {Scope} */
+export const OUTERMOST_SCOPE = {
+  declared: new Map([
+    ['', ''],
+    ['xml', XML_NAMESPACE],
+  ]),
+  outer: null,
+};
+
+/**
+ * @param {Scope | null} scope
+ * @param {string} prefix
+ * @returns {string | undefined} undefined when it is not declared
+ */
+function namespaceIn(scope, prefix) {
+  for (let at = scope; at; at = at.outer) {
+    const namespace = at.declared.get(prefix);
+    if (namespace !== undefined) return namespace;
+  }
+  return undefined;
+}
+
+/** All that holds in a scope, by prefix. @param {Scope} scope @returns {Map<string, string>} */
+export const allIn = ({ declared, outer }) => new Map([...(outer ? allIn(outer) : []), ...declared]);
+
+/** Whether a name of an attribute declares a namespace. @param {string} name */
+export const isDeclaration = (name) => name === 'xmlns' || name.startsWith('xmlns:');
 
 /**
  * @param {Readonly<Record<string, string>>} attributes
+ * @param {Scope} outer
  * @param {Complain} complain
- * @returns {Map<string, string>} namespaces by prefix; '' is the default one
+ * @returns {Scope}
  */
-export function declarations(attributes, complain) {
+export function scopeWithin(attributes, outer, complain) {
   const declared = new Map();
   for (const [name, namespace] of Object.entries(attributes)) {
-    if (name !== 'xmlns' && !name.startsWith('xmlns:')) continue;
+    if (!isDeclaration(name)) continue;
     const prefix = name.slice('xmlns:'.length);
     const isReserved =
       prefix === 'xmlns' || namespace === XMLNS_NAMESPACE || (prefix === 'xml') !== (namespace === XML_NAMESPACE);
-    if (isReserved || prefix.includes(':') || (name !== 'xmlns' && (prefix === '' || namespace === ''))) {
-      complain(
-        `The declaration ${shownText(name)}="${shownText(namespace)}" is not allowed; expected xmlns:prefix="namespace".`,
-      );
+    if (
+      isReserved ||
+      !URI.test(namespace) ||
+      prefix.includes(':') ||
+      (name !== 'xmlns' && (prefix === '' || namespace === ''))
+    ) {
+      const found = `${shownText(name)}="${shownText(namespace)}"`;
+      complain(`The declaration ${found} is not allowed; expected xmlns:prefix="namespace".`);
     }
     declared.set(prefix, namespace);
   }
-  return declared;
+  return { declared, outer };
 }
 
 /**
  * @param {string} name  with its prefix
- * @param {ReadonlyMap<string, string>} inScope
+ * @param {Scope} scope
  * @param {'element' | 'attribute'} what  an attribute without a prefix is in no namespace
  * @param {Complain} complain
  * @returns {{ localName: string, namespace: string }}
  */
-export function resolve(name, inScope, what, complain) {
+export function resolve(name, scope, what, complain) {
   const [prefix, localName, ...rest] = name.includes(':') ? name.split(':') : ['', name];
   const shown = what === 'element' ? `<${shownText(name)}>` : `the attribute "${shownText(name)}"`;
+  const namespace = namespaceIn(scope, prefix);
   if (NO_START.test(localName) || rest.length > 0 || (prefix === '' && name.includes(':'))) {
     complain(`The name of ${shown} has a colon in the wrong place; expected a name, or prefix:name.`);
-  } else if (!inScope.has(prefix)) {
+  } else if (namespace === undefined) {
     complain(`The prefix of ${shown} is not declared; expected xmlns:${shownText(prefix)}="…" there or further out.`);
   }
   const isBare = prefix === '' && what === 'attribute';
-  return { localName, namespace: isBare ? '' : (inScope.get(prefix) ?? '') };
+  return { localName, namespace: isBare ? '' : (namespace ?? '') };
 }

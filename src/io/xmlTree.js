@@ -4,6 +4,7 @@
  *
  * @import { XmlDocument } from '@rgrove/parse-xml'
  * @import { Issue } from '../model/issues.js'
+ * @import { Scope } from './xmlNamespaces.js'
  *
  * @typedef {object} XmlAttribute
  * @property {string} name       with its prefix
@@ -17,8 +18,7 @@
  * @property {string} localName
  * @property {string} namespace  '' for none
  * @property {readonly XmlAttribute[]} attributes   without namespace declarations
- * @property {ReadonlyMap<string, string>} declared namespaces declared here, by prefix; '' is the default one
- * @property {ReadonlyMap<string, string>} inScope  namespaces that hold here
+ * @property {Scope} scope
  * @property {readonly XmlNode[]} children
  * @property {number} line
  * @property {(name: string) => number} lineOf      of an attribute
@@ -40,10 +40,10 @@ import {
 } from '@rgrove/parse-xml';
 import { shownText } from '../model/shownText.js';
 import { fileIssue } from './fileIssues.js';
-import { MAX_ATTRIBUTE_LENGTH, MAX_DEPTH, MAX_ELEMENTS, MAX_TEXT_LENGTH } from './fileLimits.js';
+import { MAX_ATTRIBUTE_LENGTH, MAX_ATTRIBUTES, MAX_DEPTH, MAX_ELEMENTS, MAX_TEXT_LENGTH } from './fileLimits.js';
 import { wellFormednessIssue } from './xmlFaults.js';
 import { attributeOffset, createLineIndex } from './xmlLines.js';
-import { declarations, resolve, XML_SCOPE } from './xmlNamespaces.js';
+import { isDeclaration, OUTERMOST_SCOPE, resolve, scopeWithin } from './xmlNamespaces.js';
 import { surveyMarkup } from './xmlSurvey.js';
 
 /**
@@ -65,7 +65,7 @@ export function readXmlTree(text) {
   if ('severity' in parsed) return refused(parsed);
   const context = { text: lines, lineAt, faults: /** @type {Issue[]} */ ([]) };
   const root = /** @type {ParsedElement} */ (parsed.root); // a document without a root is not well-formed
-  const tree = elementFrom(root, XML_SCOPE, context);
+  const tree = elementFrom(root, OUTERMOST_SCOPE, context);
   return context.faults.length > 0 ? refused(context.faults[0]) : { root: tree, issues: [] };
 }
 
@@ -86,7 +86,7 @@ function notXml(text) {
 
 /** @param {string} text @param {LineAt} lineAt @returns {Issue | null} */
 function beyondLimits(text, lineAt) {
-  const { doctypeAt, elements, depth, deepestAt } = surveyMarkup(text);
+  const { doctypeAt, elements, depth, deepestAt, attributes, attributesAt } = surveyMarkup(text);
   if (doctypeAt !== -1) {
     const [declaration] = text.slice(doctypeAt).match(/^<!\w+/) ?? [''];
     const message = `The file has a document type declaration, ${declaration}; expected none, because a robot file needs none and it can do harm.`;
@@ -98,6 +98,10 @@ function beyondLimits(text, lineAt) {
   if (depth > MAX_DEPTH) {
     const message = `Elements are nested ${depth} deep; expected at most ${MAX_DEPTH}.`;
     return fileIssue('too-deep', message, { line: lineAt(deepestAt) });
+  }
+  if (attributes > MAX_ATTRIBUTES) {
+    const message = `An element has ${attributes} attributes; expected at most ${MAX_ATTRIBUTES}.`;
+    return fileIssue('too-many-attributes', message, { line: lineAt(attributesAt) });
   }
   return null;
 }
@@ -114,23 +118,22 @@ function parse(text, lineAt) {
 
 /**
  * @param {ParsedElement} parsed
- * @param {ReadonlyMap<string, string>} outside  namespaces in force around it
+ * @param {Scope} outer
  * @param {Context} context
  * @returns {XmlElement}
  */
-function elementFrom(parsed, outside, context) {
+function elementFrom(parsed, outer, context) {
   const { text, lineAt, faults } = context;
   const line = lineAt(parsed.start);
   const complain = (/** @type {string} */ message) => void faults.push(fileIssue('namespace', message, { line }));
-  const declared = declarations(parsed.attributes, complain);
-  const inScope = declared.size > 0 ? new Map([...outside, ...declared]) : outside;
+  const scope = scopeWithin(parsed.attributes, outer, complain);
   const attributes = Object.entries(parsed.attributes).flatMap(([name, value]) => {
     if (Array.from(value).length > MAX_ATTRIBUTE_LENGTH) {
       const message = `The attribute "${shownText(name)}" of <${shownText(parsed.name)}> has ${value.length} characters; expected at most ${MAX_ATTRIBUTE_LENGTH}.`;
       faults.push(fileIssue('attribute-length', message, { line }));
     }
-    if (name === 'xmlns' || name.startsWith('xmlns:')) return [];
-    return [{ name, ...resolve(name, inScope, 'attribute', complain), value }];
+    if (isDeclaration(name)) return [];
+    return [{ name, ...resolve(name, scope, 'attribute', complain), value }];
   });
   const names = new Set(attributes.map(({ localName, namespace }) => `${namespace} ${localName}`));
   if (names.size < attributes.length)
@@ -138,11 +141,10 @@ function elementFrom(parsed, outside, context) {
   return {
     kind: 'element',
     name: parsed.name,
-    ...resolve(parsed.name, inScope, 'element', complain),
+    ...resolve(parsed.name, scope, 'element', complain),
     attributes,
-    declared,
-    inScope,
-    children: childrenFrom(parsed, inScope, context),
+    scope,
+    children: childrenFrom(parsed, scope, context),
     line,
     lineOf: (name) => lineAt(attributeOffset(text, parsed.start, name)),
   };
@@ -150,15 +152,15 @@ function elementFrom(parsed, outside, context) {
 
 /**
  * @param {ParsedElement} parsed
- * @param {ReadonlyMap<string, string>} inScope
+ * @param {Scope} scope
  * @param {Context} context
  * @returns {XmlNode[]}
  */
-function childrenFrom(parsed, inScope, context) {
+function childrenFrom(parsed, scope, context) {
   /** @type {XmlNode[]} */
   const nodes = [];
   for (const child of parsed.children) {
-    if (child instanceof ParsedElement) nodes.push(elementFrom(child, inScope, context));
+    if (child instanceof ParsedElement) nodes.push(elementFrom(child, scope, context));
     else if (child instanceof ParsedText)
       nodes.push({ kind: 'text', text: child.text, isCdata: child instanceof ParsedCdata });
     else if (child instanceof Instruction)

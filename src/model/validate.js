@@ -95,7 +95,7 @@ function* framesIssues({ frames }) {
     if (frame.number === undefined) continue;
     yield* checkNumber(owner, 'the number', `frames.${i}.number`, frame.number);
     if (!Number.isInteger(frame.number) || frame.number < 1) {
-      const message = `${owner} has the number ${shownValue(frame.number)}; expected 1, 2, 3 …`;
+      const message = `${owner} has the number ${shownValue(frame.number)}; expected a whole number above 0.`;
       yield documentIssue('number', `frames.${i}.number`, message);
     }
   }

@@ -79,7 +79,8 @@ export function* checkText(owner, what, path, value, longest) {
   const length = typeof value === 'string' ? characterCount(value) : NaN;
   if (length <= longest) return;
   const came = typeof value === 'string' ? `of ${length} characters` : shownValue(value);
-  yield documentIssue('text-length', path, `${owner} has ${what} ${came}; expected a text of at most ${longest}.`);
+  const expected = Number.isFinite(longest) ? `a text of at most ${longest}` : 'a text';
+  yield documentIssue('text-length', path, `${owner} has ${what} ${came}; expected ${expected}.`);
 }
 
 /**

@@ -40,11 +40,11 @@
  * @property {number} below  how far the base reaches behind frame 0
  * @property {1 | -1} sense  whether the arm begins along z of frame 0 or against it
  */
-import { compose } from '../kinematics/pose.js';
+import { compose, translation } from '../kinematics/pose.js';
 import { hasBeam, planArm, radiiOf } from './armPlan.js';
-import { axisInLink, bodiesOf, sizeOf } from './bodies.js';
-import { up } from './joinery.js';
-import { basePieces, linkPieces, toolPieces } from './linkPieces.js';
+import { axisInLink, bodiesOf } from './bodies.js';
+import { basePieces, toolPieces } from './endPieces.js';
+import { linkPieces } from './linkPieces.js';
 import { rodShape, squareTo } from './slides.js';
 
 /**
@@ -53,8 +53,7 @@ import { rodShape, squareTo } from './slides.js';
  * @returns {ArmParts}
  */
 export function armParts(chain, styles = []) {
-  const size = sizeOf(chain);
-  const bodies = bodiesOf(chain, size);
+  const { bodies, size } = bodiesOf(chain);
   const radii = radiiOf(size, chain.dof).map((radius, i) => (i && styles[i - 1]?.radius) || radius);
   const plan = planArm(bodies, radii);
   const parts = bodies.flatMap((body, i) => {
@@ -67,7 +66,7 @@ export function armParts(chain, styles = []) {
     const body = bodies[i + 1];
     if (!body.slides) return [];
     const start = joint.joinery === 'lift' ? -joint.sense * (plan.base.depth - plan.base.plate) : 0;
-    const pose = compose(compose(axisInLink(bodies, i + 1), squareTo(body)), up(start));
+    const pose = compose(compose(axisInLink(bodies, i + 1), squareTo(body)), translation([0, 0, start]));
     return [{ shape: rodShape(joint), pose, link: i, joint: i, constant: body.d - start }];
   });
   const joints = plan.joints.map(({ at, radius }, i) => {

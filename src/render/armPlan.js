@@ -31,6 +31,7 @@ export const HALF_DRUM = 0.52;
 export const TONGUE = 1.3; // thickness of what turns in a fork
 export const KNUCKLE = 1.16; // radius of a round end about an axis
 export const HALF_KNUCKLE = 0.86;
+export const HALF_CORNER = 1.06; // of a knuckle that a round beam leaves
 export const FLANGE = 0.42;
 export const FORK_CLEAR = 1.22; // from a fork's axis to its root
 export const FORK_ROOT = 0.7; // depth of the root
@@ -128,7 +129,7 @@ function roomAt(k, bodies, joints, radii) {
   const next = joints[k];
   const radius = radii[k];
   if (hasBeam(bodies[k], radius))
-    return { core: (isFlat(bodies[k]) ? TONGUE / 2 : HALF_KNUCKLE) * radius, spare: 0.05 * radius };
+    return { core: (isFlat(bodies[k]) ? TONGUE / 2 : HALF_CORNER) * radius, spare: 0.05 * radius };
   if (!next) return { core: 0.1 * radius, spare: FLANGE * radius };
   if (next.joinery === 'fork') return { core: FORK_CLEAR * next.radius, spare: FORK_ROOT * next.radius };
   if (next.joinery === 'ram') return { core: SLEEVE * next.radius, spare: 0.2 * next.radius };
@@ -159,6 +160,13 @@ function placeDrum(joint, { d }, { core, spare }, baseRadius) {
 }
 
 /**
+ * Half the length of a knuckle about the next axis, wide enough that no tube pokes out of it.
+ * @param {number} nextRadius
+ * @param {number} radius
+ */
+export const halfEye = (nextRadius, radius) => Math.max(HALF_KNUCKLE * nextRadius, 0.95 * radius);
+
+/**
  * A collar on whatever the link before has about this axis.
  * @param {JointPlan} joint
  * @param {Body} before
@@ -168,7 +176,8 @@ function placeDrum(joint, { d }, { core, spare }, baseRadius) {
 function placeCollar(joint, before, beforeJoint, beforeRadius) {
   const isPlate = hasBeam(before, beforeRadius) && isFlat(before);
   const isKnuckle = beforeJoint?.joinery === 'side' && !hasBeam(before, beforeRadius);
-  const face = isPlate ? (TONGUE / 2) * beforeRadius : isKnuckle ? KNUCKLE * beforeRadius : HALF_KNUCKLE * joint.radius;
+  const eye = halfEye(joint.radius, beforeRadius);
+  const face = isPlate ? (TONGUE / 2) * beforeRadius : isKnuckle ? KNUCKLE * beforeRadius : eye;
   joint.half = 0.15 * joint.radius;
   joint.at = joint.sense * (face + joint.half);
 }

@@ -23,32 +23,25 @@
 import { poseFromRollPitchYaw } from '../kinematics/orientation.js';
 import { compose, identity, invert, position } from '../kinematics/pose.js';
 
-/** How large an arm without any length is drawn, in metres. */
+/** What is shorter is no length at all, in metres; and how large an arm of nothing else is drawn. */
+const NOTHING = 1e-9;
 const SIZE_OF_NOTHING = 0.3;
 
-const length = (/** @type {ArrayLike<number>} */ v) => Math.hypot(v[0], v[1], v[2]);
-
-/**
- * The length that everything else is drawn in proportion to: that of all links laid end to end; metres, never zero.
- * @param {Chain} chain
- */
-export function sizeOf({ joints, tool }) {
-  const links = joints.reduce((sum, { type, a, d, lower, upper }) => {
-    const travel = type === 'prismatic' ? [lower, upper].filter(Number.isFinite) : [0];
-    return sum + Math.hypot(a, Math.max(Math.abs(d), ...travel.map((q) => Math.abs(d + q))));
-  }, 0);
-  return links || length(position(tool)) || SIZE_OF_NOTHING;
-}
-
 /**
  * @param {Chain} chain
- * @param {number} size
- * @returns {Body[]} link 0 … link n
+ * @returns {{ bodies: Body[], size: number }}  link 0 … link n, and the length that everything else is drawn in proportion
+ *   to: that of all links laid end to end, in metres, never zero
  */
-export function bodiesOf({ convention, joints }, size) {
+export function bodiesOf({ convention, joints, tool }) {
   const isModified = convention === 'modified';
   const last = joints.length;
-  return Array.from({ length: last + 1 }, (_, i) => {
+  const links = joints.reduce((sum, { type, a, d, lower, upper }, i) => {
+    const travel = type === 'prismatic' ? [lower, upper].filter(Number.isFinite) : [];
+    const along = Math.max(Math.abs(d), ...travel.map((q) => Math.abs(d + q)));
+    return sum + Math.hypot(isModified ? (joints[i + 1]?.a ?? 0) : a, along);
+  }, 0);
+  const size = [links, Math.hypot(...position(tool))].find((length) => length > NOTHING) ?? SIZE_OF_NOTHING;
+  const bodies = Array.from({ length: last + 1 }, (_, i) => {
     const joint = joints[i - 1];
     // a modified row holds the length and twist of the link before
     const { a, alpha } = (isModified ? joints[i] : joint) ?? { a: 0, alpha: 0 };
@@ -59,6 +52,7 @@ export function bodiesOf({ convention, joints }, size) {
     if (i === 0) return { ...shape, ...travel, a: 0, alpha: 0, T_link_body: T_body_next, T_body_next: identity() };
     return { ...shape, ...travel, a, alpha, T_link_body: isModified ? identity() : invert(T_body_next), T_body_next };
   });
+  return { bodies, size };
 }
 
 /**

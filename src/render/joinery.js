@@ -1,20 +1,40 @@
 /**
- * The parts by which links meet: forks, knuckles, sleeves, carriages. Each function gives parts in the frame of the joint's
- * axis, or of the body that it names; armParts.js says which link they move with.
+ * The pieces by which links meet, in the frame of the joint's axis, and what is needed to place a piece.
  *
  * @import { Shape } from './solid.js'
  * @import { Pose } from '../kinematics/pose.js'
- * @import { Vector } from './armPlan.js'
+ * @import { JointPlan, Vector } from './armPlan.js'
  *
  * @typedef {'link' | 'joint' | 'tool'} PartKind
  * @typedef {{ shape: Shape, pose: Pose, kind: PartKind }} Piece
  */
-import { identity, translation } from '../kinematics/pose.js';
+import { identity } from '../kinematics/pose.js';
 import { FORK_CLEAR, FORK_ROOT, TONGUE } from './armPlan.js';
 import { beam, drum } from './solid.js';
 
 const CHEEK = 0.42;
 const GAP = TONGUE / 2 + 0.1; // from the middle of a fork to a cheek
+
+/** @type {Vector} */
+export const X = [1, 0, 0];
+/** @type {Vector} */
+export const Z = [0, 0, 1];
+/** @type {Vector} */
+export const ORIGIN = [0, 0, 0];
+
+/** @param {Piece['shape']} shape @param {Pose} [pose] @returns {Piece} */
+export const link = (shape, pose = identity()) => ({ shape, pose, kind: 'link' });
+/** @param {Piece['shape']} shape @param {Pose} [pose] @returns {Piece} */
+export const joint = (shape, pose = identity()) => ({ shape, pose, kind: 'joint' });
+
+/**
+ * Nothing at all, where there is no way to go.
+ * @param {number} from
+ * @param {number} to
+ * @param {1 | -1} sense
+ * @param {() => Piece} piece
+ */
+export const between = (from, to, sense, piece) => (sense * (to - from) > 0 ? [piece()] : []);
 
 /**
  * A pose from its z axis, as much of the direction x as is across it, and its origin.
@@ -51,8 +71,6 @@ function unit(v) {
  * @returns {Piece[]}
  */
 export function forkPieces({ radius: r, at, arrival, squeeze }, passes) {
-  /** @type {Vector} */
-  const axis = [0, 0, 1];
   const root = (FORK_CLEAR + (FORK_ROOT / 2) * squeeze) * r;
   const from = unit([-arrival[0], -arrival[1], 0]);
   const middle = (GAP + CHEEK / 2) * r;
@@ -60,7 +78,7 @@ export function forkPieces({ radius: r, at, arrival, squeeze }, passes) {
   const inner = (GAP + 0.7 * CHEEK) * r; // the root ends inside the cheeks
   const cheeks = [-1, 1].map((side) => ({
     shape: beam(root, 1.02 * r, 0.86 * r, CHEEK * r),
-    pose: facing(axis, from, [0, 0, at + side * middle]),
+    pose: facing(Z, from, [0, 0, at + side * middle]),
     kind: /** @type {const} */ ('link'),
   }));
   /** @type {Vector} */
@@ -69,7 +87,7 @@ export function forkPieces({ radius: r, at, arrival, squeeze }, passes) {
   /** @type {Vector} */
   const over = [aside[0] - forward * from[0], aside[1] - forward * from[1], aside[2]];
   const reach = Math.hypot(...over);
-  const rootFrame = facing(from, reach > 0 ? over : axis, [root * from[0], root * from[1], at]);
+  const rootFrame = facing(from, reach > 0 ? over : Z, [root * from[0], root * from[1], at]);
   const thickness = FORK_ROOT * squeeze * r;
   return [
     ...cheeks,
@@ -81,5 +99,5 @@ export function forkPieces({ radius: r, at, arrival, squeeze }, passes) {
 /** A round end about an axis. @param {number} radius @param {number} half @param {Pose} pose @returns {Piece} */
 export const knuckle = (radius, half, pose) => ({ shape: drum(radius, -half, half), pose, kind: 'link' });
 
-/** @param {number} z */
-export const up = (z) => translation([0, 0, z]);
+/** The drum of a turning joint. @param {JointPlan} plan */
+export const drumAt = ({ at, half, radius }) => joint(drum(1.14 * radius, at - half, at + half));

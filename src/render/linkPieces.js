@@ -21,46 +21,21 @@
  * @property {JointPlan} [far]
  * @property {number} radius
  */
-import { compose, identity, position } from '../kinematics/pose.js';
-import { FLANGE, FORK_CLEAR, FORK_ROOT, HALF_KNUCKLE, KNUCKLE, TONGUE, hasBeam, isFlat } from './armPlan.js';
-import { dot, facing, forkPieces, knuckle } from './joinery.js';
+import { compose, identity } from '../kinematics/pose.js';
+import {
+  FORK_CLEAR,
+  FORK_ROOT,
+  HALF_CORNER,
+  HALF_KNUCKLE,
+  KNUCKLE,
+  TONGUE,
+  halfEye,
+  hasBeam,
+  isFlat,
+} from './armPlan.js';
+import { ORIGIN, X, Z, between, drumAt, facing, forkPieces, joint, knuckle, link } from './joinery.js';
 import { slidePieces, sliderPieces } from './slides.js';
 import { bar, beam, cone, drum, stub } from './solid.js';
-
-/** @type {Vector} */
-const X = [1, 0, 0];
-/** @type {Vector} */
-const Z = [0, 0, 1];
-/** @type {Vector} */
-const ORIGIN = [0, 0, 0];
-
-/** @param {Piece['shape']} shape @param {Pose} [pose] @returns {Piece} */
-const link = (shape, pose = identity()) => ({ shape, pose, kind: 'link' });
-/** @param {Piece['shape']} shape @param {Pose} [pose] @returns {Piece} */
-const joint = (shape, pose = identity()) => ({ shape, pose, kind: 'joint' });
-
-/** Nothing at all, where there is no way to go. @param {number} from @param {number} to @param {1 | -1} sense @param {() => Piece} piece */
-const between = (from, to, sense, piece) => (sense * (to - from) > 0 ? [piece()] : []);
-
-/**
- * @param {Link} self
- * @param {{ depth: number, plate: number }} base
- * @returns {Piece[]}
- */
-export function basePieces({ next, far, radius: r }, { depth, plate }) {
-  if (!far || !next) return [];
-  const { sense, joinery, at, half } = far;
-  const floor = -sense * depth;
-  const top = floor + sense * plate;
-  const end = at - sense * half;
-  const foot = link(drum(1.9 * r, floor, top, 0.06));
-  if (joinery !== 'axial') return [foot, ...slidePieces(far, next, top)];
-  const column = between(top, end, sense, () => link(cone(1.25 * r, Math.min(1.25 * r, 1.1 * far.radius), top, end)));
-  return [foot, ...column, drumOf(far)];
-}
-
-/** @param {JointPlan} plan */
-const drumOf = ({ at, half, radius }) => joint(drum(1.14 * radius, at - half, at + half));
 
 /**
  * @param {Link} self
@@ -91,9 +66,7 @@ function spanPieces({ body, near, far, radius: r }) {
   const { a, T_body_next } = body;
   const turnsInFork = near.joinery === 'fork';
   const isAcross = far && far.joinery !== 'fork' && (far.joinery !== 'axial' || Math.abs(far.arrival[2]) < 0.9);
-  const eye = isAcross
-    ? [knuckle(KNUCKLE * far.radius, Math.max(HALF_KNUCKLE * far.radius, 0.95 * r), T_body_next)]
-    : [];
+  const eye = isAcross ? [knuckle(KNUCKLE * far.radius, halfEye(far.radius, r), T_body_next)] : [];
   // wide enough for a tube of the next joint to leave it sideways
   const across = Math.max(HALF_KNUCKLE * r, far?.joinery === 'axial' ? 1.1 * far.radius : 0);
   if (!hasBeam(body, r)) {
@@ -112,7 +85,7 @@ function spanPieces({ body, near, far, radius: r }) {
     return [link(beam(a, KNUCKLE * r, 1.05 * thin, TONGUE * r)), ...(far?.joinery === 'side' ? [] : eye)];
   }
   const alongX = facing([forward, 0, 0], Z, ORIGIN);
-  const half = (turnsInFork ? TONGUE / 2 : HALF_KNUCKLE) * r;
+  const half = (turnsInFork ? TONGUE / 2 : HALF_CORNER) * r;
   const neck = turnsInFork ? [link(drum(0.62 * r, 0, 1.25 * r, 0.04), alongX)] : [];
   const from = Math.min(turnsInFork ? 1.25 * r : 0, Math.abs(length) / 2);
   return [link(drum(1.1 * r, -half, half)), ...neck, link(cone(r, 0.9 * thin, from, Math.abs(length)), alongX), ...eye];
@@ -143,7 +116,7 @@ function farPieces({ body, next, near, far, radius: r }) {
   return [
     ...between(0, start, sense, () => link(drum(0.62 * r, 0, start, 0.02))),
     ...between(start, end, sense, () => link(drum(wide, start, end, 0.04))),
-    drumOf(far),
+    drumAt(far),
   ].map(beyond);
 }
 
@@ -168,42 +141,4 @@ function plainPieces({ body, near, far, radius: r }, { kind, width, height }) {
     ...along(0, body.a, facing(X, [0, 1, 0], ORIGIN)),
     ...along(0, ends, body.T_body_next),
   ];
-}
-
-/**
- * The flange and, if the TCP is elsewhere, what reaches from the one to the other.
- * @param {Link} self
- * @param {{ arrival: Vector, isStub: boolean }} way
- * @param {Pose} tool
- * @returns {Piece[]}
- */
-export function toolPieces({ body, near, radius: r }, { arrival, isStub }, tool) {
-  const tip = position(tool);
-  const length = Math.hypot(...tip);
-  const sense = arrival[2] < 0 ? -1 : 1;
-  /** @type {Piece[]} */
-  const pieces = [];
-  let front = 0;
-  if (Math.abs(arrival[2]) < 0.9) {
-    pieces.push({ shape: drum(0.55 * r, -0.85 * r, 0.85 * r), pose: identity(), kind: 'joint' });
-  } else {
-    // the flange's face is the flange frame, unless the wrist itself is there
-    const behind = near ? near.sense * (near.at - body.d) + near.half : 0;
-    const face = Math.max(0, behind + FLANGE * r, isStub ? 1.6 * r : 0);
-    if (isStub) pieces.push(link(drum(0.62 * r, 0, sense * face, 0.02)));
-    pieces.push(link(drum(1.22 * r, sense * (face - FLANGE * r), sense * face, 0.12)));
-    front = sense * face;
-  }
-  if (length > 0) {
-    /** @type {Vector} */
-    const direction = [tip[0] / length, tip[1] / length, tip[2] / length];
-    const start = Math.max(0, dot(direction, [0, 0, front]));
-    const pose = facing(direction, Math.abs(direction[2]) > 0.7 ? X : Z, ORIGIN);
-    const shaft = start + 0.72 * (length - start);
-    if (length > start) {
-      pieces.push({ shape: drum(0.42 * r, start, shaft, 0.1), pose, kind: 'tool' });
-      pieces.push({ shape: cone(0.42 * r, 0.03 * r, shaft, length), pose, kind: 'tool' });
-    } else pieces.push({ shape: drum(0.3 * r, 0, length, 0.1), pose, kind: 'tool' });
-  }
-  return pieces.map((piece) => ({ ...piece, pose: compose(body.T_body_next, piece.pose) }));
 }

@@ -102,7 +102,8 @@ export function stub(length, radius, halfWidth, thickness) {
   const chamfer = Math.min(0.12 * Math.min(radius, halfWidth), thickness / 8);
   const x = length - Math.sign(length) * chamfer;
   const y = (halfWidth - chamfer) * Math.sign(length);
-  const ends = [-y, y].map((side) => ({ x, y: side, radius: chamfer, sharp: true }));
+  const isInside = Math.hypot(x, y) + chamfer <= radius; // too short to have corners
+  const ends = isInside ? [] : [-y, y].map((side) => ({ x, y: side, radius: chamfer, sharp: true }));
   return { corners: [{ x: 0, y: 0, radius }, ...ends], profile: chamfered(-thickness / 2, thickness / 2, chamfer) };
 }
 

@@ -11,12 +11,12 @@
  * Colours are the page's CSS custom properties, read by `setTheme`. The host must be positioned; its background is the sky.
  *
  * @import { LinkStyle } from './linkPieces.js'
- * @import { SceneText } from './scene.js'
+ * @import { MarkText } from './marks.js'
  * @import { Rectangle } from './view.js'
  * @import { Chain } from '../kinematics/chain.js'
  * @import { Clock } from '../model/clock.js'
  *
- * @typedef {SceneText & { view: string }} StageText
+ * @typedef {MarkText & { view: string }} StageText
  *   `view` names the canvas; `jointValue(index)`, `jointLimit(index, 'lower' | 'upper')`, `missing(metres)` are labels
  *
  * @typedef {object} StageOptions
@@ -54,7 +54,7 @@ export function createStage({ host, clock, quality, text, onGridStep = () => {},
   const invalidate = createFrameLoop(clock, draw);
   const scene = createScene({ skin: currentSkin(), isLow, labels, text, onChange: redraw, onGridStep });
   const view = createView(surface.canvas, { onChange: invalidate, onFit: fit });
-  surface.measure();
+  surface.start();
 
   /** @param {{ castsAnew: boolean }} change */
   function redraw(change) {

@@ -46,6 +46,16 @@ export function createSurface({ host, isLow, onResize, onRestore }) {
   const observer = new ResizeObserver(measure);
   observer.observe(host);
 
+  // a window that is dragged to another screen, or zoomed
+  /** @type {MediaQueryList | null} */
+  let screen = null;
+  function watchScreen() {
+    screen?.removeEventListener('change', watchScreen);
+    screen = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
+    screen.addEventListener('change', watchScreen);
+    measure();
+  }
+
   function onLost() {
     isLost = true;
   }
@@ -58,7 +68,7 @@ export function createSurface({ host, isLow, onResize, onRestore }) {
 
   return {
     canvas,
-    measure,
+    start: watchScreen,
     get width() {
       return width;
     },
@@ -78,6 +88,7 @@ export function createSurface({ host, isLow, onResize, onRestore }) {
     },
     dispose() {
       observer.disconnect();
+      screen?.removeEventListener('change', watchScreen);
       canvas.removeEventListener('webglcontextlost', onLost);
       canvas.removeEventListener('webglcontextrestored', onRestored);
       renderer.dispose();

@@ -3,53 +3,46 @@
  *
  * @import { LabelLayer } from './labels.js'
  * @import { Skin } from './skins.js'
+ * @import { Pose } from '../kinematics/pose.js'
  */
 import { Group, Vector3 } from 'three';
 import { disposeOf, movableLine, spanLine } from './fatLines.js';
 import { createTriad } from './triad.js';
 
-/** @typedef {ReturnType<typeof createTargetMark>} TargetMark */
+const ARROW = 0.05; // in sizes of the arm
+const DASH = 0.006;
 
 /**
  * @param {object} options
+ * @param {Pose} options.T_base_target
+ * @param {boolean} options.reached
+ * @param {number} options.size  of the arm
  * @param {Skin} options.skin
  * @param {LabelLayer} options.labels
  * @param {(metres: number) => string} options.missing
  */
-export function createTargetMark({ skin, labels, missing }) {
+export function createTargetMark({ T_base_target, reached, size, skin, labels, missing }) {
   const group = new Group();
   const triad = createTriad({ skin, labels, width: 2, letters: 'strong', letterCase: 'upper', gap: 3, order: 30 });
-  const way = movableLine({ color: skin.bad, width: 2.5, dash: 1, order: 44 });
+  triad.show(T_base_target, ARROW * size);
+  triad.setVisible(true, !reached); // the tool's own letters are there then
+  const way = movableLine({ color: skin.bad, width: 2.5, dash: DASH * size, order: 44 });
   const words = Object.assign(labels.add('miss'), { from: new Vector3(), gap: 6, aside: true });
+  way.visible = words.visible = !reached;
   group.add(triad.group, way);
+  const to = T_base_target.subarray(12, 15);
 
   return {
     group,
-    /** @param {Skin} next */
-    setSkin(next) {
-      triad.setSkin(next);
-      way.material.color.set(next.bad);
-    },
-    /** @param {Float64Array} T_base_target @param {number} size  of the arm */
-    place(T_base_target, size) {
-      triad.show(T_base_target, 0.05 * size);
-      way.material.dashSize = way.material.gapSize = 0.006 * size;
-    },
-    /**
-     * @param {Float64Array} T_base_target
-     * @param {Float64Array} T_base_tcp
-     * @param {boolean} reached
-     */
-    measure(T_base_target, T_base_tcp, reached) {
-      const [from, to] = [T_base_tcp.subarray(12, 15), T_base_target.subarray(12, 15)];
-      const distance = Math.hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
-      way.visible = words.visible = !reached;
-      triad.setVisible(true, !reached); // the tool's own letters are there then
+    /** @param {Pose} T_base_tcp */
+    measureFrom(T_base_tcp) {
       if (reached) return;
+      const from = T_base_tcp.subarray(12, 15);
+      const distance = Math.hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
       spanLine(way, from, to);
       way.material.dashScale = distance; // as built, the line is one metre long
-      words.at.set((from[0] + to[0]) / 2, (from[1] + to[1]) / 2, (from[2] + to[2]) / 2);
       words.from.fromArray(from);
+      words.at.fromArray(to).add(words.from).multiplyScalar(0.5);
       words.write(missing(distance));
     },
     dispose() {
@@ -60,3 +53,5 @@ export function createTargetMark({ skin, labels, missing }) {
     },
   };
 }
+
+/** @typedef {ReturnType<typeof createTargetMark>} TargetMark */

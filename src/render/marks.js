@@ -1,0 +1,112 @@
+/**
+ * The marks about the arm that come and go: the gauge of the joint in hand, and the target with what is missing to it.
+ *
+ * @import { Group, Scene } from 'three'
+ * @import { ArmParts } from './armParts.js'
+ * @import { Gauge, GaugeText } from './gauge.js'
+ * @import { LabelLayer } from './labels.js'
+ * @import { Skin } from './skins.js'
+ * @import { TargetMark } from './targetMark.js'
+ * @import { Chain } from '../kinematics/chain.js'
+ * @import { Pose } from '../kinematics/pose.js'
+ *
+ * @typedef {object} ArmNow  the arm that is shown, where it is; its numbers change in place
+ * @property {Chain} chain
+ * @property {ArmParts} parts
+ * @property {Float64Array} posture
+ * @property {Pose} T_base_tcp
+ *
+ * @typedef {GaugeText & { missing: (metres: number) => string }} MarkText
+ * @typedef {{ T_base_target: Pose, reached: boolean }} Target
+ */
+import { createGauge } from './gauge.js';
+import { createTargetMark } from './targetMark.js';
+
+/**
+ * @param {object} options
+ * @param {Scene} options.scene
+ * @param {(link: number) => Group} options.linkGroup  where a mark hangs that moves with a link
+ * @param {Skin} options.skin
+ * @param {LabelLayer} options.labels
+ * @param {MarkText} options.text
+ */
+export function createMarks({ scene, linkGroup, skin, labels, text }) {
+  /** @type {ArmNow | null} */
+  let arm = null;
+  /** @type {number | null} */
+  let held = null;
+  /** @type {Target | null} */
+  let target = null;
+  /** @type {Gauge | null} */
+  let gauge = null;
+  /** @type {TargetMark | null} */
+  let targetMark = null;
+
+  function clear() {
+    gauge?.dispose();
+    targetMark?.dispose();
+    gauge = targetMark = null;
+  }
+
+  function build() {
+    clear();
+    if (!arm) return;
+    const { chain, parts } = arm;
+    const { size } = parts;
+    if (held !== null && held < chain.dof) {
+      gauge = createGauge({
+        index: held,
+        joint: chain.joints[held],
+        seat: parts.joints[held],
+        size,
+        skin,
+        labels,
+        text,
+      });
+      linkGroup(held).add(gauge.group);
+    }
+    if (target) {
+      targetMark = createTargetMark({ ...target, size, skin, labels, missing: text.missing });
+      scene.add(targetMark.group);
+    }
+    follow();
+  }
+
+  function follow() {
+    if (!arm) return;
+    if (held !== null) gauge?.show(arm.posture[held]);
+    targetMark?.measureFrom(arm.T_base_tcp);
+  }
+
+  return {
+    /** After the arm has moved. */
+    follow,
+    /** Before the arm is taken apart, and with any change of what the marks are made of. */
+    clear,
+    build,
+    /** @param {ArmNow | null} next */
+    show(next) {
+      arm = next;
+      build();
+    },
+    /** @param {number | null} index @returns {boolean} whether that changed anything */
+    hold(index) {
+      if (index === held) return false;
+      held = index;
+      build();
+      return true;
+    },
+    /** @param {Target | null} next @returns {boolean} */
+    aim(next) {
+      if (!next && !target) return false;
+      target = next;
+      build();
+      return true;
+    },
+    /** @param {Skin} next */
+    setSkin(next) {
+      skin = next;
+      build();
+    },
+  };
+}

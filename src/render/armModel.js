@@ -37,6 +37,7 @@ const BEHIND_EDGES = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffse
 /** @param {{ skin: Skin, isLow: boolean }} options */
 export function createArmModel({ skin, isLow }) {
   const group = new Group();
+  group.matrixAutoUpdate = false;
   /** @type {Group[]} */
   let links = [];
   /** @type {Piece[]} */

@@ -10,10 +10,11 @@
  * @import { Chain } from '../kinematics/chain.js'
  * @import { Pose } from '../kinematics/pose.js'
  */
-import { Scene, Vector3 } from 'three';
+import { LineSegments, Mesh, Scene, Vector3 } from 'three';
 import { linkFrames } from '../kinematics/forward.js';
 import { compose } from '../kinematics/pose.js';
 import { createArmModel } from './armModel.js';
+import { disposeOf } from './fatLines.js';
 import { createFloor, gridSteps } from './floor.js';
 import { createLights } from './lights.js';
 import { createMarks } from './marks.js';
@@ -39,6 +40,7 @@ const TOOL_ARROW = 0.09;
  */
 export function createScene({ skin, isLow, labels, text, onChange, onGridStep }) {
   const scene = new Scene();
+  scene.matrixAutoUpdate = false; // or Three.js takes it, and all in it, to have moved at every picture
   const floor = createFloor({ skin, isLow });
   const lights = createLights({ skin, isLow });
   const arm = createArmModel({ skin, isLow });
@@ -169,6 +171,14 @@ export function createScene({ skin, isLow, labels, text, onChange, onGridStep })
     extent() {
       if (!shown?.isPlaced) return null;
       return { corners: [...arm.corners(), ...base.tips(), ...tool.tips()], size: shown.parts.size };
+    },
+
+    /** Let go of all that is in graphics memory; the next picture brings it there again. */
+    release() {
+      scene.traverse((object) => {
+        if (object instanceof Mesh || object instanceof LineSegments) disposeOf(object);
+      });
+      lights.dispose();
     },
 
     dispose() {

@@ -39,7 +39,7 @@ import { createView } from './view.js';
 /** @param {StageOptions} options */
 export function createStage({ host, clock, quality, text, onGridStep = () => {}, onError = () => {} }) {
   const isLow = quality === 'low';
-  const surface = createSurface({ host, isLow, onResize, onRestore: () => redraw({ castsAnew: true }) });
+  const surface = createSurface({ host, isLow, onResize, onLose, onRestore: () => redraw({ castsAnew: true }) });
   if (!surface) return null;
   surface.canvas.setAttribute('role', 'img');
   surface.canvas.setAttribute('aria-label', text.view);
@@ -73,6 +73,10 @@ export function createStage({ host, clock, quality, text, onGridStep = () => {},
       isBroken = true;
       onError(error);
     }
+  }
+
+  function onLose() {
+    scene.release();
   }
 
   /** @param {number} width @param {number} height */

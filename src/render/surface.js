@@ -13,10 +13,11 @@ const SHARPEST = 2; // pixels of the screen for one of the page: beyond that it 
  * @param {HTMLElement} options.host
  * @param {boolean} options.isLow
  * @param {(width: number, height: number) => void} options.onResize
+ * @param {() => void} options.onLose     the graphics memory is gone, and what is in it with it
  * @param {() => void} options.onRestore
  * @returns the surface; null if the browser has no WebGL for it
  */
-export function createSurface({ host, isLow, onResize, onRestore }) {
+export function createSurface({ host, isLow, onResize, onLose, onRestore }) {
   const canvas = document.createElement('canvas');
   // asked for here, since Three.js would write its disappointment to the console
   const context = canvas.getContext('webgl2', { alpha: true, antialias: !isLow, stencil: false, depth: true });
@@ -58,6 +59,7 @@ export function createSurface({ host, isLow, onResize, onRestore }) {
 
   function onLost() {
     isLost = true;
+    onLose();
   }
   function onRestored() {
     isLost = false;

@@ -27,7 +27,7 @@
  * @property {boolean} isBounded  whether the limits hold
  * @property {TaskName} task
  * @property {number} spare       weight of what the task leaves free
- * @property {number} memory      how many costs back a step is compared with: 1 to WINDOW; 1 never goes uphill
+ * @property {boolean} isSettling  to the very bottom, never uphill, instead of on to the next start as soon as it is slow
  * @property {Float64Array} q     where the search is
  * @property {number} cost        what is minimised, at q
  * @property {number} iterations  in all descents so far
@@ -53,14 +53,14 @@ const DAMPING = 0.1;
 const LEAST_DAMPING = 1e-14; // of squares of order 1: only keeps a rank-deficient system solvable
 const MORE_DAMPING = 4;
 const LESS_DAMPING = 0.25;
-const TRIES = 6;
-
-/** Standstill: this many iterations in a row that leave more than this share of the least cost so far. */
-const PATIENCE = 6;
-const SHARE = 0.98;
 
 /** How many of the last costs a step may stay below the worst of. */
-export const WINDOW = 8;
+const WINDOW = 8;
+
+/** Standstill: so many iterations in a row leave more than this share of the least cost so far, or so many steps fail. */
+const PATIENCE = 6;
+const SHARE = { hunting: 0.98, settling: 1 - 1e-9 };
+const TRIES = { hunting: 6, settling: 20 };
 
 /**
  * So near the goal (error / L, squared) a standstill is most likely the bend of a valley that is narrower than the step:
@@ -88,7 +88,7 @@ const allocateSearch = (packed, dof) => ({
   isBounded: true,
   task: 'pose',
   spare: 0,
-  memory: WINDOW,
+  isSettling: false,
   q: new Float64Array(dof),
   cost: Infinity,
   iterations: 0,
@@ -122,7 +122,7 @@ export function prepareSearch({ packed, dof, characteristicLength }, T_base_goal
   search.isBounded = true;
   search.task = 'pose';
   search.spare = 0;
-  search.memory = WINDOW;
+  search.isSettling = false;
   search.iterations = 0;
   return search;
 }
@@ -213,18 +213,22 @@ function takeStep({ packed, isBounded, q, trial, step, unit }) {
  * @returns {Descent}
  */
 export function descend(search) {
-  const { q, trial, recent, memory, maxIterations } = search;
+  const { q, trial, recent, isSettling, maxIterations } = search;
+  const memory = isSettling ? 1 : WINDOW;
+  const share = isSettling ? SHARE.settling : SHARE.hunting;
+  const mostTries = isSettling ? TRIES.settling : TRIES.hunting;
+  const leastDamping = isSettling ? 0 : DAMPING;
+  let leaps = isSettling ? 0 : LEAPS;
   let isMet = measure(search, q);
   let least = Infinity;
   let slow = 0;
   let damping = DAMPING;
-  let leaps = memory > 1 ? LEAPS : 0;
   recent.fill(0);
   for (let iteration = 0; ; iteration++) {
     if (isMet && search.spare === 0) return 'met';
     if (iteration === maxIterations) return 'cut';
     const { cost } = search;
-    slow = cost > SHARE * least ? slow + 1 : 0;
+    slow = cost > share * least ? slow + 1 : 0;
     least = Math.min(least, cost);
     recent[iteration % memory] = cost;
     let worst = 0;
@@ -233,12 +237,12 @@ export function descend(search) {
     search.iterations++;
     linearise(search);
     let isBetter = false;
-    for (let tries = 0; slow < PATIENCE && tries < TRIES && !isBetter; tries++) {
+    for (let tries = 0; slow < PATIENCE && tries < mostTries && !isBetter; tries++) {
       if (!solveStep(search, damping * cost + LEAST_DAMPING)) break;
       takeStep(search);
       isMet = measure(search, trial);
       isBetter = isMet || search.cost < worst;
-      damping = isBetter ? Math.max(DAMPING, damping * LESS_DAMPING) : damping * MORE_DAMPING;
+      damping = isBetter ? Math.max(leastDamping, damping * LESS_DAMPING) : damping * MORE_DAMPING;
     }
     if (!isBetter) {
       const canLeap = cost < NEARLY_MET && leaps-- > 0 && solveStep(search, LEAST_DAMPING);

@@ -23,8 +23,8 @@ import { compose, poseDifference } from './pose.js';
 const SMALL = 1e-8;
 
 /**
- * A slide steps by no less than this share of a step in proportion to how far out the arm stands, be it ever so small
- * itself: the positions that the step adds to have no finer digits.
+ * A slide steps by no less than this share of a step in proportion to all the lengths in the table, be the arm that they
+ * add up to ever so small: the positions that the step adds to have no finer digits.
  */
 const SLIDE_GRAIN = 0.1;
 
@@ -63,11 +63,9 @@ export function writeWork(packed, q, { frames, turns, tcp }) {
 export function writeDifferences({ rows, tool }, { frames, turns, tcp }, step, slideStep, J) {
   const cosStep = Math.cos(step);
   const sinStep = Math.sin(step);
-  let farOut = Math.abs(tcp[12]) + Math.abs(tcp[13]) + Math.abs(tcp[14]);
-  for (let at = 0, t = 2; at < rows.length; at += ROW, t += 3) {
-    if (rows[at + SLIDES] === 1) farOut += Math.abs(turns[t]);
-  }
-  const leastSlide = SLIDE_GRAIN * farOut * step; // signed, as the steps are
+  let span = Math.abs(tool[12]) + Math.abs(tool[13]) + Math.abs(tool[14]);
+  for (let at = 0, t = 2; at < rows.length; at += ROW, t += 3) span += Math.abs(turns[t]) + Math.abs(rows[at + LENGTH]);
+  const leastSlide = SLIDE_GRAIN * span * step; // signed, as the steps are
   const slideBy = Math.abs(slideStep) > Math.abs(leastSlide) ? slideStep : leastSlide;
   // S: the TCP seen from the frame that joint i + 1 moves in
   let sx0 = tool[0];

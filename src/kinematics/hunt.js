@@ -20,12 +20,12 @@
  * @property {Float64Array} seed
  * @property {() => number} random
  * @property {number} travel   how far from zero an unlimited slide is looked for, m
- * @property {number} starts   descents begun somewhere, so far
+ * @property {number} restarts   how often a search has started anew, so far
  * @property {Float64Array} best   of all postures inside the limits, the nearest to the whole pose
  * @property {number} bestCost
  * @property {boolean} wasCut  whether a descent to the whole pose ran out of iterations before it came to rest
  */
-import { prepareSearch, descend, WINDOW } from './dampedLeastSquares.js';
+import { descend, prepareSearch } from './dampedLeastSquares.js';
 import { bringInside, fillRandomPosture } from './limits.js';
 import { createRandom } from './random.js';
 import { worstExcess } from './verdict.js';
@@ -35,6 +35,9 @@ const NEARLY_INSIDE = 1e-2;
 
 /** What a task leaves free is pursued with this weight first, and then let go while the task itself is met exactly. */
 const SPARE = 0.03;
+
+/** How many times the iterations of another descent the last one may take, which goes to the very bottom. */
+const SETTLING = 10;
 
 /**
  * @param {Chain} chain
@@ -51,7 +54,7 @@ export function createHunt(chain, T_base_goal, options) {
     seed,
     random: createRandom(randomSeed),
     travel: away + 2 * chain.characteristicLength,
-    starts: 0,
+    restarts: 0,
     best: Float64Array.from(seed),
     bestCost: Infinity,
     wasCut: false,
@@ -68,9 +71,12 @@ function seek(hunt, task, restarts, tryFromHere) {
   const { search, seed, random, travel } = hunt;
   search.task = task;
   for (let k = 0; k <= restarts; k++) {
-    if (k === 0) search.q.set(seed);
-    else fillRandomPosture(search.packed, random, travel, search.q);
-    hunt.starts++;
+    if (k === 0) {
+      search.q.set(seed);
+    } else {
+      hunt.restarts++;
+      fillRandomPosture(search.packed, random, travel, search.q);
+    }
     if (tryFromHere()) return true;
   }
   return false;
@@ -139,8 +145,10 @@ export function seekOutside(hunt, task, restarts) {
 export function settle(hunt) {
   const { search } = hunt;
   search.task = 'pose';
-  search.memory = 1;
+  search.isSettling = true;
+  search.maxIterations *= SETTLING;
   search.q.set(hunt.best);
   tryPose(hunt);
-  search.memory = WINDOW;
+  search.isSettling = false;
+  search.maxIterations /= SETTLING;
 }

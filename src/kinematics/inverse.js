@@ -33,7 +33,7 @@
  * @property {number} positionError     m, of the whole pose at q
  * @property {number} orientationError  rad, likewise: the angle of the turn that is missing
  * @property {number} iterations  of all descents
- * @property {number} restarts    starts of descents after the first
+ * @property {number} restarts    how often a search started anew, in all searches: for the pose, past the limits, for tasks
  * @property {MetTask} [task]     with subspace; and with outside-limits, if it is not the whole pose that is found there
  * @property {LimitVerdict} [limit]   with outside-limits
  * @property {number} [beyondReach]   with unreachable, m
@@ -108,7 +108,7 @@ export function inverseKinematics(chain, T_base_goal, options = {}) {
     const [positionError, orientationError] = [Math.hypot(x, y, z), Math.hypot(rx, ry, rz)];
     const turn = taskTurn(task, T_base_tcp, T_base_goal, difference);
     const isMet = positionError <= positionTolerance && turn <= orientationTolerance;
-    const result = { q, positionError, orientationError, iterations: search.iterations, restarts: hunt.starts - 1 };
+    const result = { q, positionError, orientationError, iterations: search.iterations, restarts: hunt.restarts };
     return { isMet, result };
   }
 

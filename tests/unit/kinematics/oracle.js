@@ -115,7 +115,7 @@ export const ARMS = /** @type {const} */ (['puma560', 'ur5', 'scara_cobra600', '
 /** @typedef {[JointRow['type'], number, number, number, number, number, number]} JointLine */
 const armTable = /** @type {{ arms: Record<ArmName, { joints: JointLine[] }> }} */ (readFixture('arms.json')).arms;
 
-/** @param {ArmName} name @param {number} [scale] of every length @returns {ChainDescription & { joints: Required<JointRow>[] }} */
+/** @param {ArmName} name @param {number} [scale] of every length @returns {{ convention: 'standard', joints: Required<JointRow>[] }} */
 export const arm = (name, scale = 1) => ({
   convention: 'standard',
   joints: armTable[name].joints.map(([type, a, alpha, d, theta, lower, upper]) => {

@@ -1,0 +1,57 @@
+/**
+ * What every answer of inverse kinematics owes, whatever its status.
+ * @import { ChainDescription } from '../../../src/kinematics/chain.js'
+ * @import { InverseOptions, InverseResult } from '../../../src/kinematics/inverse.js'
+ * @import { Matrix } from './oracle.js'
+ */
+import { expect } from 'vitest';
+import { angleBetween, distanceBetween, oracleForward, rotationOf } from './oracle.js';
+
+/** The angle between the z axes of two frames. @param {Matrix} A @param {Matrix} B */
+function tiltBetween(A, B) {
+  const chord = Math.hypot(...[0, 1, 2].map((i) => A[i][2] - B[i][2]));
+  return 2 * Math.asin(Math.min(1, chord / 2));
+}
+
+/**
+ * @param {ChainDescription} description
+ * @param {Matrix} goal
+ * @param {InverseResult} result
+ * @param {InverseOptions} [options]
+ */
+export function expectHonest(
+  description,
+  goal,
+  result,
+  { positionTolerance = 1e-9, orientationTolerance = 1e-9 } = {},
+) {
+  const { joints } = description;
+  const { status, q, positionError, orientationError, task } = result;
+  expect(q.length).toBe(joints.length);
+  joints.forEach(({ lower = -Infinity, upper = Infinity }, i) => expect(q[i] >= lower && q[i] <= upper).toBe(true));
+
+  const { tcp } = oracleForward(description, q);
+  const scale = 1 + Math.hypot(...[0, 1, 2].map((i) => goal[i][3])) + Math.hypot(...[0, 1, 2].map((i) => tcp[i][3]));
+  expect(Math.abs(positionError - distanceBetween(tcp, goal))).toBeLessThan(1e-13 * scale);
+  // the chord loses half its digits at a half turn
+  expect(Math.abs(orientationError - angleBetween(tcp, goal))).toBeLessThan(
+    orientationError > 3 ? 1e-7 : 1e-13 * scale,
+  );
+
+  if (status === 'converged') {
+    expect(distanceBetween(tcp, goal)).toBeLessThan(positionTolerance * (1 + 1e-6));
+    expect(angleBetween(tcp, goal)).toBeLessThan(orientationTolerance * (1 + 1e-6));
+  }
+  if (status === 'subspace') {
+    expect(joints.length).toBeLessThan(6);
+    expect(distanceBetween(tcp, goal)).toBeLessThan(positionTolerance * (1 + 1e-6));
+    if (task?.met.includes('tool-axis')) expect(tiltBetween(tcp, goal)).toBeLessThan(orientationTolerance * (1 + 1e-6));
+    expect(task?.met).toContain('position');
+    expect(orientationError).toBeGreaterThan(orientationTolerance); // else it had converged
+  }
+  expect(task !== undefined).toBe(status === 'subspace' || (status === 'outside-limits' && task !== undefined));
+  expect(result.limit !== undefined).toBe(status === 'outside-limits');
+  expect(result.beyondReach !== undefined).toBe(status === 'unreachable');
+  expect(rotationOf(tcp).flat().every(Number.isFinite)).toBe(true);
+  return result;
+}

@@ -37,7 +37,7 @@ export const FORK_CLEAR = 1.22; // from a fork's axis to its root
 export const FORK_ROOT = 0.7; // depth of the root
 export const SLEEVE = 1.9;
 export const CARRIAGE = 1.15; // half its length
-const NECK = 1.15;
+const NECK = 1.08;
 
 const LONG = 4;
 const SHARE_OF_LONG = 0.72;
@@ -76,7 +76,7 @@ export function planArm(bodies, radii) {
     if (joint.joinery === 'fork') joint.at = bodies[i + 1].d;
     if (joint.joinery === 'side') placeCollar(joint, bodies[i], joints[i - 1], radii[i]);
     if (joint.joinery === 'axial') {
-      placeDrum(joint, bodies[i + 1], roomAt(i + 1, bodies, joints, radii), i ? null : radii[0]);
+      placeDrum(joint, bodies[i + 1], roomAt(i + 1, bodies, joints, radii), radii[i], i === 0);
     }
   });
   return { joints, flange: way, base: planBase(joints[0], bodies[1], roomAt(1, bodies, joints, radii), radii[0]) };
@@ -141,13 +141,14 @@ function roomAt(k, bodies, joints, radii) {
  * @param {JointPlan} joint
  * @param {Body} body
  * @param {{ core: number, spare: number }} room
- * @param {number | null} baseRadius  if the joint stands on the base
+ * @param {number} before  the radius of the link before
+ * @param {boolean} isFirst
  */
-function placeDrum(joint, { d }, { core, spare }, baseRadius) {
+function placeDrum(joint, { d }, { core, spare }, before, isFirst) {
   const { radius, sense, isStub, arrival } = joint;
   const reach = sense * d;
-  if (baseRadius !== null) {
-    const soft = spare + 2 * HALF_DRUM * radius + PLATE * baseRadius;
+  if (isFirst) {
+    const soft = spare + 2 * HALF_DRUM * radius + PLATE * before;
     joint.squeeze = Math.max(LEAST_SQUEEZE, Math.min(1, (reach - core) / soft));
   }
   joint.half = HALF_DRUM * radius * joint.squeeze;
@@ -155,7 +156,7 @@ function placeDrum(joint, { d }, { core, spare }, baseRadius) {
   const isLong = Math.abs(d) > LONG * radius;
   let at = isLong ? Math.min(SHARE_OF_LONG * reach, highest) : highest;
   if (isLong && Math.abs(arrival[2]) < 0.9) at = Math.max(at, 1.25 * radius + joint.half); // clear of the elbow before it
-  if (isStub) at = Math.max(at, NECK * radius + joint.half);
+  if (isStub) at = Math.max(at, NECK * before + joint.half); // clear of the fork that the stub turns in
   joint.at = sense * at;
 }
 

@@ -131,6 +131,25 @@ describe('lengths in the picture are those of the table', () => {
     expect(Math.min(...cheeks.map(([, y]) => Math.abs(y)))).toBeGreaterThan(tongue);
   });
 
+  test('a wrist without offsets stands out of its fork far enough to turn in it', () => {
+    const wrist = libraryArms.filter(([id]) => id === 'puma560').map(([, chain]) => chain)[0];
+    const zero = kernelFrames(wrist, [0, 0, 0, 0, 0, 0]);
+    const above = (/** @type {number} */ link, /** @type {string} */ kind) =>
+      rangeOf(
+        corners(
+          armParts(wrist).parts.filter((part) => part.link === link && part.kind === kind),
+          zero,
+        ),
+        2,
+      );
+    const centre = zero[5][2][3];
+    const [, cheeks] = above(4, 'link'); // the arm goes straight up beyond its elbow
+    const [drum] = above(5, 'joint');
+    expect(cheeks).toBeGreaterThan(centre);
+    expect(drum).toBeGreaterThan(cheeks);
+    expect(above(6, 'link')[0]).toBeGreaterThan(drum);
+  });
+
   test('two links side by side are as far apart as d says', () => {
     const rows = [turn(0, 0.7, 0, RIGHT), turn(0, 0, 0.5, 0), turn(0, 0.12, 0.4, 0)];
     const beside = armParts(standard(rows), styles(3, 0.04)).parts;

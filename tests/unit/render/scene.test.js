@@ -207,6 +207,25 @@ function cornersOf(mesh) {
   );
 }
 
+test('a slide that has come to nothing is drawn without its rod, which would have no inside', () => {
+  const model = createArmModel({ skin, isLow: true });
+  const row = { a: 0, alpha: 0, d: 0, theta: 0, lower: 0, upper: 1 };
+  const chain = createChain({
+    convention: 'standard',
+    joints: [
+      { ...row, type: 'revolute', d: 0.5 },
+      { ...row, type: 'prismatic' },
+    ],
+  });
+  model.build(chain, []);
+  const hidden = (/** @type {number[]} */ q) => {
+    model.move(linkFrames(chain, q), q);
+    return meshesIn(model.group).filter(({ visible }) => !visible).length;
+  };
+  expect(hidden([0, 0.4])).toBe(0);
+  expect(hidden([0, 0])).toBe(1);
+});
+
 test('nothing is to be seen of an arm before its posture is known, nor of one whose posture was of another', () => {
   const { scene, labels } = createStill();
   expect(scene.extent()).toBe(null);

@@ -26,8 +26,8 @@
  */
 
 /** Proportions, as parts of the radius of a link. */
-export const PLATE = 0.34; // height of the base's plate
-export const HALF_DRUM = 0.52;
+const PLATE = 0.34; // height of the base's plate
+const HALF_DRUM = 0.52;
 export const TONGUE = 1.3; // thickness of what turns in a fork
 export const KNUCKLE = 1.16; // radius of a round end about an axis
 export const HALF_KNUCKLE = 0.86;

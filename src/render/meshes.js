@@ -48,8 +48,14 @@ export function geometryOf(parts) {
  */
 function transform(points, T, w, out) {
   for (let i = 0; i < points.length; i += 3) {
-    const [x, y, z] = [points[i], points[i + 1], points[i + 2]];
-    for (let k = 0; k < 3; k++) out.push(T[k] * x + T[4 + k] * y + T[8 + k] * z + T[12 + k] * w);
+    const x = points[i];
+    const y = points[i + 1];
+    const z = points[i + 2];
+    out.push(
+      T[0] * x + T[4] * y + T[8] * z + T[12] * w,
+      T[1] * x + T[5] * y + T[9] * z + T[13] * w,
+      T[2] * x + T[6] * y + T[10] * z + T[14] * w,
+    );
   }
 }
 

@@ -171,9 +171,10 @@ export function solidOf({ corners, profile }) {
   /** @param {readonly [number, number]} level @param {number} cos @param {number} sin */
   const ring = (level, cos, sin) => {
     const first = solid.positions.length / 3;
-    for (const p of outline) {
-      solid.positions.push(...place(p, level));
-      solid.normals.push(p.nx * cos, p.ny * cos, sin);
+    const [inset, z] = level;
+    for (const { x, y, nx, ny } of outline) {
+      solid.positions.push(x - inset * nx, y - inset * ny, z);
+      solid.normals.push(nx * cos, ny * cos, sin);
     }
     return first;
   };

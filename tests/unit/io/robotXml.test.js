@@ -288,6 +288,12 @@ test('a quaternion with six good digits is kept as typed, one with three is brou
   ]);
 });
 
+test('a quaternion with two good digits is refused', () => {
+  expect(messages({ before: '<base quat_xyzw="0 0 0 1.0011"/>' })).toEqual([
+    'Line 1: the base has a quaternion of length 1.0011; expected length 1.',
+  ]);
+});
+
 test('equal limits are allowed, and said to lock the joint', () => {
   expect(messages({ inJoint: '<limits lower="5" upper="5"/>' })).toEqual([
     'Line 5: joint "joint_1" has equal limits, 5, so it cannot move.',

@@ -63,6 +63,7 @@ test.for([
 
 test.for([
   '<!-- <!DOCTYPE a> --><a/>',
+  '<!-- -> ]]> ?> <!DOCTYPE a> --><a/>',
   '<a><![CDATA[<!DOCTYPE a><!ENTITY b "c">]]></a>',
   '<?a <!DOCTYPE a> ?><a/>',
   '<a b="!DOCTYPE"/>',

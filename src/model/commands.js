@@ -1,6 +1,6 @@
 /**
- * Every way the document can change, as plain data and one pure function. `refusal` says beforehand, in a sentence,
- * why a command cannot be carried out; the panels ask it, so that the document in the store is always valid.
+ * Every way the document can change, as plain data and one pure function. What can be said against a command is in
+ * refusals.js, which the session asks before it comes here, so that the document in the store is always valid.
  *
  * @import { Doc, JointField } from './document.js'
  *
@@ -12,17 +12,12 @@
  *   | { type: 'remove-posture', index: number }
  *   | { type: 'replace-document', doc: Doc }} Command
  */
-import { refusal } from './refusals.js';
-
 /**
  * @param {Doc} doc
- * @param {Command} command
+ * @param {Command} command  that `refusal` has nothing against
  * @returns {Doc} the same object when nothing changed
- * @throws {RangeError} when `refusal` has something against it
  */
 export function applyCommand(doc, command) {
-  const reason = refusal(doc, command);
-  if (reason) throw new RangeError(reason.message);
   const { robot, posture, postures } = doc;
   switch (command.type) {
     case 'set-joint-field': {

@@ -3,7 +3,9 @@
  *
  * @import { AngleUnit, Convention, JointType, LengthUnit, LinkDoc, ProgramDoc } from './document.js'
  */
-export { LARGEST_NUMBER } from './refusals.js';
+
+/** What a robot file can hold, and far beyond any arm in any unit. */
+export const LARGEST_NUMBER = 1e9;
 
 /** Ids are names in code, too (KAREL, URDF), hence the narrow alphabet. */
 export const ID_PATTERN = /^[A-Za-z_][A-Za-z0-9_]{0,63}$/;

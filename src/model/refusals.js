@@ -6,13 +6,10 @@
  * @import { Issue } from './issues.js'
  */
 import { DH_FIELDS, MAX_POSTURES } from './document.js';
-
-/** What a robot file can hold, and far beyond any arm in any unit. */
-export const LARGEST_NUMBER = 1e9;
+import { ID_PATTERN, LARGEST_NUMBER, PRESENT_POSTURE_ID } from './documentRules.js';
 
 /** @type {readonly JointField[]} */
 const FIELDS = [...DH_FIELDS, 'lower', 'upper', 'home'];
-const ID = /^[A-Za-z_][A-Za-z0-9_]{0,63}$/;
 
 /**
  * @param {Doc} doc
@@ -92,7 +89,7 @@ function crossedLimits({ robot }, { joint, field, value }) {
 /** @param {Doc} doc @param {Extract<Command, { type: 'rename-posture' }>} command */
 function badPostureId({ postures }, { index, id }) {
   const path = `postures.${index}.id`;
-  if (!ID.test(id) || id === 'current') {
+  if (!ID_PATTERN.test(id) || id === PRESENT_POSTURE_ID) {
     return issue(
       'id',
       path,

@@ -26,6 +26,7 @@
  *   | { type: 'show', change: Partial<Session> }} Action
  */
 import { applyCommand } from './commands.js';
+import { refusal } from './refusals.js';
 import { cancelGesture, endGesture, record, redo, startHistory, undo } from './history.js';
 
 /** @type {Session} */
@@ -57,9 +58,9 @@ export function reduce(state, action) {
       return { ...state, session: { ...session, ...action.change } };
     }
     case 'replace-document':
-      return exchanged(settle(state, history, record(history, applyCommand(state.doc, action))), state);
+      return exchanged(settle(state, history, record(history, carryOut(state.doc, action))), state);
     default:
-      return settle(state, history, record(history, applyCommand(state.doc, action), action.gesture));
+      return settle(state, history, record(history, carryOut(state.doc, action), action.gesture));
   }
 }
 
@@ -85,4 +86,15 @@ function settle(state, history, next) {
 function exchanged(state, before) {
   if (state === before) return before;
   return { ...state, session: { ...state.session, edition: before.session.edition + 1 } };
+}
+
+/**
+ * @param {Doc} doc
+ * @param {Command} command
+ * @throws {RangeError} with the reason, when there is one against it
+ */
+function carryOut(doc, command) {
+  const reason = refusal(doc, command);
+  if (reason) throw new RangeError(reason.message);
+  return applyCommand(doc, command);
 }

@@ -47,8 +47,8 @@ export function showReport({ name, robotName, isOpened, issues, text, again }) {
         'div',
         { class: 'modal-content dialog' },
         h(
-          'header',
-          { class: 'row-flex' },
+          'div',
+          { class: 'row-flex dialog-head' },
           icon(isOpened ? 'exclamation' : 'fileX', isOpened ? 'i-l warn' : 'i-l bad'),
           h(
             'div',
@@ -63,7 +63,7 @@ export function showReport({ name, robotName, isOpened, issues, text, again }) {
           { class: 'issues' },
           shown.map((issue) => issueItem(issue, text)),
         ),
-        h('footer', { class: 'row-flex' }, copy, h('span', { class: 'grow' }), done, isOpened ? null : another),
+        h('div', { class: 'row-flex' }, copy, h('span', { class: 'grow' }), done, isOpened ? null : another),
       ),
     ),
   );

@@ -2,7 +2,7 @@
  * What a person typed → a number, or the reason why it is none. Never Number(text): that takes '' for 0 and '0x10' for 16.
  */
 import { TEXT } from './strings.js';
-import { LARGEST_NUMBER } from '../model/refusals.js';
+import { LARGEST_NUMBER } from '../model/documentRules.js';
 
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$/;
 const DECIMAL_COMMA = /^[+-]?\d*,\d+$/;

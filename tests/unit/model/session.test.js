@@ -10,14 +10,15 @@ import { anyAction, anyDocument } from './arbitrary.js';
 
 /** @typedef {import('../../../src/model/session.js').Action} Action */
 /** @typedef {import('../../../src/model/session.js').AppState} AppState */
+/** @typedef {import('../../../src/model/store.js').Store<AppState, Action>} Page */
 
 const puma = () => newDocument(LIBRARY.puma560);
-const start = (doc = puma()) =>
-  /** @type {import('../../../src/model/store.js').Store<AppState, Action>} */ (createStore(startState(doc), reduce));
+/** @param {import('../../../src/model/document.js').Doc} [doc] @returns {Page} */
+const start = (doc = puma()) => createStore(startState(doc), reduce);
 const moveFirst = (/** @type {number} */ value, /** @type {string} */ gesture) =>
   /** @type {Action} */ ({ type: 'set-joint-value', joint: 0, value, gesture });
 
-/** Senseless actions are refused with an error and change nothing. @param {ReturnType<typeof start>} store @param {Action} action */
+/** Senseless actions are refused with an error and change nothing. @param {Page} store @param {Action} action */
 function tryTo(store, action) {
   const before = store.state;
   try {

@@ -8,7 +8,7 @@
  * The damping is proportional to what is minimised (Chan & Lawrence 1988; the factor was tried from 0.01 to 3 on generated
  * poses of 22 arms, and hardly matters between 0.03 and 0.3), more while steps fail. A step may go uphill for a while, as
  * long as it stays below the worst of the last few (Grippo, Lampariello & Lucidi 1986): near a singularity the way down is
- * a narrow bent valley, and a search that may only descend stands still in it a hundred times as often.
+ * a narrow bent valley, and a search that may only descend needs five times the starts there.
  *
  * @import { Chain } from './chain.js'
  * @import { Work } from './differences.js'
@@ -175,14 +175,14 @@ function linearise({ packed, work, task, spare, length, unit, J, residual: r, gr
 function solveStep({ packed: { lower, upper }, isBounded, q, J, H, gradient, step }, damping) {
   const n = q.length;
   for (let i = 0, a = 0; i < n; i++, a += 6) {
+    const j0 = J[a];
+    const j1 = J[a + 1];
+    const j2 = J[a + 2];
+    const j3 = J[a + 3];
+    const j4 = J[a + 4];
+    const j5 = J[a + 5];
     for (let j = 0, b = 0; j <= i; j++, b += 6) {
-      H[i * n + j] =
-        J[a] * J[b] +
-        J[a + 1] * J[b + 1] +
-        J[a + 2] * J[b + 2] +
-        J[a + 3] * J[b + 3] +
-        J[a + 4] * J[b + 4] +
-        J[a + 5] * J[b + 5];
+      H[i * n + j] = j0 * J[b] + j1 * J[b + 1] + j2 * J[b + 2] + j3 * J[b + 3] + j4 * J[b + 4] + j5 * J[b + 5];
     }
     H[i * n + i] += damping;
   }

@@ -64,22 +64,33 @@ const LESSER_TASKS = [
 /** With this many joints or more an arm is meant to meet whole poses, and half an answer is none. */
 const FULL_POSE_JOINTS = 6;
 
+/** @param {string} name @param {number} value */
+function requirePositive(name, value) {
+  if (!(value > 0 && value < Infinity)) throw new RangeError(`Expected ${name} to be positive, got ${value}.`);
+}
+
+/** @param {string} name @param {number} value @param {number} [least] */
+function requireWhole(name, value, least = 0) {
+  if (!(Number.isSafeInteger(value) && value >= least)) {
+    throw new RangeError(`Expected ${name} to be a whole number, got ${value}.`);
+  }
+}
+
 /**
  * @param {Chain} chain
  * @param {InverseOptions} options
  */
-function checkedOptions(chain, options) {
-  const { seed = middlePosture(chain.packed), randomSeed = 1, restarts = 200, maxIterations = 100 } = options;
+function checkedOptions({ packed, dof }, options) {
+  const { seed = middlePosture(packed), randomSeed = 1, restarts = 200, maxIterations = 100 } = options;
   const { positionTolerance = 1e-9, orientationTolerance = 1e-9 } = options;
-  requirePosture(chain.dof, seed);
-  for (const [name, value] of Object.entries({ positionTolerance, orientationTolerance })) {
-    if (!(value > 0 && value < Infinity)) throw new RangeError(`Expected ${name} to be positive, got ${value}.`);
-  }
-  for (const [name, value] of Object.entries({ restarts, maxIterations, randomSeed })) {
-    const isCount = Number.isSafeInteger(value) && (value >= 0 || name === 'randomSeed');
-    if (!isCount) throw new RangeError(`Expected ${name} to be a whole number, got ${value}.`);
-  }
-  const inside = Float64Array.from(seed, (value, i) => bringInside(chain.packed, i, value));
+  requirePosture(dof, seed);
+  requirePositive('positionTolerance', positionTolerance);
+  requirePositive('orientationTolerance', orientationTolerance);
+  requireWhole('restarts', restarts);
+  requireWhole('maxIterations', maxIterations);
+  requireWhole('randomSeed', randomSeed, -Infinity);
+  const inside = new Float64Array(dof);
+  for (let i = 0; i < dof; i++) inside[i] = bringInside(packed, i, seed[i]);
   return { seed: inside, randomSeed, restarts, maxIterations, positionTolerance, orientationTolerance };
 }
 

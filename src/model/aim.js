@@ -46,7 +46,7 @@ export const xyzwprOf = ({ units }, T) => [
  * @returns {AimAnswer}
  */
 export function aim({ robot, posture }, chain, T_base_target) {
-  const result = inverseKinematics(chain, T_base_target, { seed: seedInside(chain, compilePosture(robot, posture)) });
+  const result = inverseKinematics(chain, T_base_target, { seed: compilePosture(robot, posture) });
   return {
     status: result.status,
     posture: postureFromKernel(robot, result.q),
@@ -54,9 +54,6 @@ export function aim({ robot, posture }, chain, T_base_target) {
     isMet: result.status === 'converged' || result.status === 'subspace',
   };
 }
-
-/** A posture may stand outside its limits (they were tightened later); a search starts inside. @param {Chain} chain @param {Float64Array} q */
-const seedInside = ({ joints }, q) => q.map((value, i) => Math.min(joints[i].upper, Math.max(joints[i].lower, value)));
 
 /** Nearer than this the screen shows zeros in every unit: the tool counts as being there. */
 const CLOSED_METRES = 5e-6;

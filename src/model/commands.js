@@ -2,7 +2,7 @@
  * Every way the document can change, as plain data and one pure function. What can be said against a command is in
  * refusals.js, which the session asks before it comes here, so that the document in the store is always valid.
  *
- * @import { Doc, JointField } from './document.js'
+ * @import { Doc, JointDoc, JointField } from './document.js'
  *
  * @typedef {{ type: 'set-joint-field', joint: number, field: JointField, value: number }
  *   | { type: 'set-joint-value', joint: number, value: number }
@@ -24,7 +24,7 @@ export function applyCommand(doc, command) {
       const { joint, field, value } = command;
       const old = robot.joints[joint];
       if (Object.is(old[field], value)) return doc;
-      return { ...doc, robot: { ...robot, joints: robot.joints.with(joint, { ...old, [field]: value }) } };
+      return { ...doc, robot: { ...robot, joints: robot.joints.with(joint, withField(old, field, value)) } };
     }
     case 'set-joint-value':
       return posture[command.joint] === command.value
@@ -49,6 +49,19 @@ export function applyCommand(doc, command) {
     default:
       return assertNever(command);
   }
+}
+
+/**
+ * A new number takes the place of what was typed for the old one, too.
+ * @param {JointDoc} joint
+ * @param {JointField} field
+ * @param {number} value
+ * @returns {JointDoc}
+ */
+function withField(joint, field, value) {
+  const { text, ...rest } = joint;
+  const kept = Object.entries(text ?? {}).filter(([name]) => name !== field);
+  return { ...rest, [field]: value, ...(kept.length > 0 && { text: Object.fromEntries(kept) }) };
 }
 
 /** The first of p1, p2, … that no recorded posture has. @param {Doc} doc */

@@ -6,7 +6,7 @@
  */
 import { createChain } from '../kinematics/chain.js';
 import { poseFromQuaternion, poseFromRollPitchYaw } from '../kinematics/orientation.js';
-import { isSliding, quantityOf } from './document.js';
+import { isSliding, limitsOf, quantityOf } from './document.js';
 import { fromKernel, toKernel } from './units.js';
 
 /**
@@ -24,7 +24,7 @@ export function compileRobot({ convention, base, tool, joints, units }) {
 
 /** @param {JointDoc} joint @param {Units} units */
 function compileJoint(joint, units) {
-  const { lower = -Infinity, upper = Infinity } = joint;
+  const { lower, upper } = limitsOf(joint);
   const limit = quantityOf(joint, 'lower');
   return {
     type: isSliding(joint) ? /** @type {const} */ ('prismatic') : /** @type {const} */ ('revolute'),

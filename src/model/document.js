@@ -104,9 +104,21 @@ export function quantityOf(joint, field) {
 export const identityPose = () => ({ xyz: [0, 0, 0], rpy: [0, 0, 0] });
 
 /**
+ * What the joint value may not go past: a continuous joint has no limits, whatever its file says.
+ * @param {JointDoc} joint
+ */
+export const limitsOf = ({ type, lower, upper }) =>
+  type === 'continuous'
+    ? { lower: -Infinity, upper: Infinity }
+    : { lower: lower ?? -Infinity, upper: upper ?? Infinity };
+
+/**
  * Where an arm stands before anyone moved it: home, or else zero brought inside the limits.
  * @param {RobotDoc} robot
  * @returns {number[]}
  */
 export const homePosture = ({ joints }) =>
-  joints.map(({ home, lower = -Infinity, upper = Infinity }) => home ?? Math.min(upper, Math.max(lower, 0)));
+  joints.map((joint) => {
+    const { lower, upper } = limitsOf(joint);
+    return joint.home ?? Math.min(upper, Math.max(lower, 0));
+  });

@@ -103,6 +103,11 @@ export function editCell(page, input, { command, check, onDone, onReason, text, 
 
   return {
     input,
+    /** As if a person had typed it. @param {string} wanted */
+    type(wanted) {
+      input.value = wanted;
+      typed();
+    },
     /** The document was exchanged for another: a text that was typed for the old one goes. */
     forget() {
       gesture = null;

@@ -67,7 +67,7 @@ export function showReport({ name, robotName, isOpened, issues, text, again }) {
       ),
     ),
   );
-  copy.addEventListener('click', () => copyText([title, ...issues.map(inWords)].join('\n')));
+  copy.addEventListener('click', () => copyText([title, ...issues.map(({ message }) => message)].join('\n')));
   another.addEventListener('click', again);
   document.body.append(dialog);
   const modal = new Modal(dialog);
@@ -78,21 +78,13 @@ export function showReport({ name, robotName, isOpened, issues, text, again }) {
   modal.show();
 }
 
-/** @param {Issue} issue */
-const inWords = ({ line, message }) => (line ? `${TEXT.files.line(line)}: ${message}` : message);
-
 /** @param {Issue} issue @param {string | null} text */
 const issueItem = ({ severity, line, message }, text) =>
   h(
     'li',
     {},
     icon(severity === 'error' ? 'octagon' : 'exclamation', severity === 'error' ? 'bad' : 'warn'),
-    h(
-      'div',
-      {},
-      h('p', { class: 'issue-text' }, line ? h('b', {}, TEXT.files.line(line)) : null, ' ', message),
-      line && text !== null ? snippet(text, line) : null,
-    ),
+    h('div', {}, h('p', { class: 'issue-text' }, message), line && text !== null ? snippet(text, line) : null),
   );
 
 /** The line at fault between its neighbours. @param {string} text @param {number} line */

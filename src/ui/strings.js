@@ -185,7 +185,6 @@ export const TEXT = {
     saved: (/** @type {string} */ name) => `Saved as ${name}.`,
     another: 'Choose another file',
     copyReport: 'Copy report',
-    line: (/** @type {number} */ line) => `Line ${line}`,
     tooLarge: (/** @type {string} */ size) => `The file has ${size}; a robot file has at most 1 MB.`,
     unreadable: (/** @type {string} */ reason) => `The browser could not read the file: ${reason}`,
     megabytes: (/** @type {string} */ n) => `${n} MB`,

@@ -52,7 +52,7 @@ test('a bad file is refused in a sentence with its line, and the open model stay
   const dialog = page.getByRole('dialog');
   await expect(dialog).toContainText('my <b>arm</b>.xml was not opened');
   await expect(dialog).toContainText('Puma 560 is still here, unchanged.');
-  await expect(dialog.locator('.issue-text')).toHaveText(/^Line \d+ .*431,8.*\.$/);
+  await expect(dialog.locator('.issue-text')).toHaveText(/^Line \d+: .*431,8.*\.$/);
   await expect(dialog.locator('.snippet .here')).toContainText('a="431,8"');
   await dialog.getByRole('button', { name: 'Close' }).last().click();
   await expect(dialog).toBeHidden();

@@ -60,3 +60,11 @@ test('base and tool are part of the chain', () => {
   const T = tcpPose(compileRobot(robot), compilePosture(robot, [0, 0]));
   [0, 2.1, 0.5].forEach((value, k) => expect(T[12 + k]).toBeCloseTo(value, 14));
 });
+
+test('a continuous joint has no limits, whatever its file says', () => {
+  const [first, second] = LIBRARY.planar2r.joints;
+  const robot = { ...LIBRARY.planar2r, joints: [{ ...first, type: /** @type {const} */ ('continuous') }, second] };
+  const { joints } = compileRobot(robot);
+  expect([joints[0].type, joints[0].lower, joints[0].upper]).toEqual(['revolute', -Infinity, Infinity]);
+  expect(joints[1].upper).toBeCloseTo(Math.PI, 15);
+});

@@ -102,6 +102,20 @@ describe('a session', () => {
   });
 });
 
+test('a new number takes the place of the expression that was typed for the old one', () => {
+  const doc = puma();
+  const text = { a: 'sqrt(2)*300', d: '1/3' };
+  const joints = doc.robot.joints.with(1, { ...doc.robot.joints[1], text });
+  const after = reduce(startState({ ...doc, robot: { ...doc.robot, joints } }), {
+    type: 'set-joint-field',
+    joint: 1,
+    field: 'a',
+    value: 400,
+  });
+  expect(after.doc.robot.joints[1]).toMatchObject({ a: 400, text: { d: '1/3' } });
+  expect(after.doc.robot.joints[1].text).not.toHaveProperty('a');
+});
+
 describe('a drag', () => {
   test('is one undo step', () => {
     const store = start();

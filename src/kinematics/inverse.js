@@ -42,11 +42,12 @@ import { requirePosture } from './checks.js';
 import { tcpPose } from './forward.js';
 import { createHunt, seekInside, seekOutside, settle } from './hunt.js';
 import { bringInside, middlePosture, unwindTowards } from './limits.js';
+import { certainTurn } from './parallelAxes.js';
 import { poseDifference, requirePose } from './pose.js';
 import { taskTurn } from './task.js';
 import { beyondReach, limitsBind } from './verdict.js';
 
-/** Starts when the goal is known to be out of reach: only the nearest posture is looked for. */
+/** Starts when the goal is known to be impossible: only the nearest posture is looked for. */
 const NEAREST_RESTARTS = 12;
 
 /** A goal no farther beyond reach than this share of it may be a slide's limit's fault; one that is farther, nobody's. */
@@ -60,6 +61,9 @@ const LESSER_TASKS = [
   { name: 'position-and-axis', met: ['position', 'tool-axis'], free: ['turn-about-tool-axis'] },
   { name: 'position', met: ['position'], free: ['orientation'] },
 ];
+
+/** Radians that a product of frames may be off by, with room to spare. */
+const ROUNDING = 1e-12;
 
 /** With this many joints or more an arm is meant to meet whole poses, and half an answer is none. */
 const FULL_POSE_JOINTS = 6;
@@ -132,6 +136,9 @@ export function inverseKinematics(chain, T_base_goal, options = {}) {
       : { status: hunt.wasCut ? 'budget' : 'stalled', ...result, ...reason };
   }
 
+  /** Whether no posture can have the orientation, limits or not. @param {TaskName} task */
+  const isHopeless = (task) => certainTurn(chain, T_base_goal, task) > orientationTolerance + ROUNDING;
+
   /** What the search has just met, if that is so. @param {MetTask} [task] @returns {InverseResult | null} */
   function found(task) {
     const { isMet, result } = judge(search.q.slice(), task?.name ?? 'pose');
@@ -158,10 +165,14 @@ export function inverseKinematics(chain, T_base_goal, options = {}) {
     if (outside) return outside;
     return nearest({ status: 'unreachable', beyondReach: beyond });
   }
-  if (seekInside(hunt, 'pose', restarts)) return found() ?? nearest({});
-  const outside = seekPast('pose');
-  if (outside) return outside;
-  const lesser = chain.dof < FULL_POSE_JOINTS ? LESSER_TASKS : [];
+  if (isHopeless('pose')) {
+    seekInside(hunt, 'pose', Math.min(restarts, NEAREST_RESTARTS));
+  } else {
+    if (seekInside(hunt, 'pose', restarts)) return found() ?? nearest({});
+    const outside = seekPast('pose');
+    if (outside) return outside;
+  }
+  const lesser = chain.dof < FULL_POSE_JOINTS ? LESSER_TASKS.filter(({ name }) => !isHopeless(name)) : [];
   for (const task of lesser) {
     const answer = seekInside(hunt, task.name, restarts) && found(task);
     if (answer) return answer;

@@ -1,0 +1,55 @@
+/**
+ * What an arm whose turning axes are all parallel (a planar arm, a SCARA, a gantry) can never do, known without a search:
+ * its tool turns about one direction u of space and no other, so the angle between u and anything on the tool stays.
+ *
+ * @import { Chain } from './chain.js'
+ * @import { TaskName } from './task.js'
+ */
+import { linkFrames, tcpPose } from './forward.js';
+import { ROW, SIN_TWIST } from './packed.js';
+import { poseDifference } from './pose.js';
+
+/** The angle between two directions. @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
+function angleBetween(a, b) {
+  const cross = Math.hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
+  return Math.atan2(cross, a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+}
+
+/**
+ * @param {Chain} chain
+ * @returns {number} the joint whose axis all turning joints are parallel to, or −1 if they are not, or none turns
+ */
+function leadingJoint({ joints, packed }) {
+  const first = joints.findIndex(({ type }) => type === 'revolute');
+  const last = joints.findLastIndex(({ type }) => type === 'revolute');
+  for (let i = first; i < last; i++) if (packed.rows[ROW * i + SIN_TWIST] !== 0) return -1;
+  return first;
+}
+
+/**
+ * The orientation that a task asks for is missed by at least this angle, whatever the posture and its limits.
+ * @param {Chain} chain
+ * @param {ArrayLike<number>} T_base_goal
+ * @param {TaskName} task
+ * @returns {number} radians; 0 also where nothing is known
+ */
+export function certainTurn(chain, T_base_goal, task) {
+  const leader = leadingJoint(chain);
+  if (leader < 0 || task === 'position') return 0;
+  const q = new Float64Array(chain.dof);
+  const frame = 16 * (chain.convention === 'standard' ? leader : leader + 1);
+  const u = linkFrames(chain, q).subarray(frame + 8, frame + 11);
+  const T = tcpPose(chain, q);
+  const G = T_base_goal;
+  if (task === 'position-and-axis') {
+    return Math.abs(angleBetween([T[8], T[9], T[10]], u) - angleBetween([G[8], G[9], G[10]], u));
+  }
+  // The half-angle quaternion (w, v) of the turn that is missing, less its part about u (swing–twist decomposition).
+  const turn = poseDifference(T, G).subarray(3);
+  const half = Math.hypot(turn[0], turn[1], turn[2]) / 2;
+  const about = (turn[0] * u[0] + turn[1] * u[1] + turn[2] * u[2]) / 2;
+  if (half === 0) return 0;
+  const sine = Math.sin(half) / half;
+  const across = Math.sqrt(Math.max(0, half * half - about * about));
+  return 2 * Math.atan2(sine * across, Math.hypot(Math.cos(half), sine * about));
+}

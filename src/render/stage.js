@@ -83,7 +83,9 @@ export function createStage({ host, clock, quality, text, onGridStep = () => {},
   function onResize(width, height) {
     view.resize(width, height);
     if (view.isUntouched) fit();
-    invalidate();
+    // Resizing empties the canvas: drawn a frame later it would flash, so a picture that was there is drawn at once.
+    if (surface && surface.draws > 0) draw();
+    else invalidate();
   }
 
   /**

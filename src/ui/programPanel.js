@@ -139,12 +139,16 @@ function row({ id, q }, index, { joints, units }) {
     ),
     h(
       'td',
-      { class: 'soft values', title: inWords },
-      numbers.map((number) => h('span', {}, number)),
+      { class: 'soft', title: inWords },
+      h(
+        'div',
+        { class: 'values' },
+        numbers.map((number) => h('span', {}, number)),
+      ),
     ),
     h(
       'td',
-      { class: 'right' },
+      {},
       h(
         'button',
         {

@@ -37,6 +37,7 @@
  * @property {Float64Array} gradient
  * @property {Float64Array} step
  * @property {Float64Array} trial
+ * @property {Float64Array} lowest   where the cost was least in this descent
  * @property {Float64Array} residual
  * @property {Float64Array} recent   the last costs
  *
@@ -98,6 +99,7 @@ const allocateSearch = (packed, dof) => ({
   gradient: new Float64Array(dof),
   step: new Float64Array(dof),
   trial: new Float64Array(dof),
+  lowest: new Float64Array(dof),
   residual: new Float64Array(6),
   recent: new Float64Array(WINDOW),
 });
@@ -208,28 +210,36 @@ function takeStep({ packed, isBounded, q, trial, step, unit }) {
 }
 
 /**
- * From `search.q` downhill; `search.q` and `search.cost` are where it ended.
+ * From `search.q` downhill; `search.q` and `search.cost` are the lowest it came to.
  * @param {Search} search
  * @returns {Descent}
  */
 export function descend(search) {
-  const { q, trial, recent, isSettling, maxIterations } = search;
+  const { q, trial, lowest, recent, isSettling, maxIterations } = search;
   const memory = isSettling ? 1 : WINDOW;
   const share = isSettling ? SHARE.settling : SHARE.hunting;
   const mostTries = isSettling ? TRIES.settling : TRIES.hunting;
   const leastDamping = isSettling ? 0 : DAMPING;
   let leaps = isSettling ? 0 : LEAPS;
   let isMet = measure(search, q);
-  let least = Infinity;
+  let least = Infinity; // of all
+  let bar = Infinity; // the least since the last leap
   let slow = 0;
   let damping = DAMPING;
+  /** @type {Descent} */
+  let end = 'cut';
   recent.fill(0);
+  lowest.set(q);
   for (let iteration = 0; ; iteration++) {
     if (isMet && search.spare === 0) return 'met';
-    if (iteration === maxIterations) return 'cut';
     const { cost } = search;
-    slow = cost > share * least ? slow + 1 : 0;
-    least = Math.min(least, cost);
+    if (cost < least) {
+      least = cost;
+      lowest.set(q);
+    }
+    if (iteration === maxIterations) break;
+    slow = cost > share * bar ? slow + 1 : 0;
+    bar = Math.min(bar, cost);
     recent[iteration % memory] = cost;
     let worst = 0;
     for (let k = 0; k < memory; k++) worst = Math.max(worst, recent[k]);
@@ -247,16 +257,19 @@ export function descend(search) {
     if (!isBetter) {
       const canLeap = cost < NEARLY_MET && leaps-- > 0 && solveStep(search, LEAST_DAMPING);
       if (!canLeap) {
-        measure(search, q);
-        return 'rest';
+        end = 'rest';
+        break;
       }
       takeStep(search);
       isMet = measure(search, trial);
       recent.fill(0);
-      least = Infinity;
+      bar = Infinity;
       slow = 0;
       damping = DAMPING;
     }
     q.set(trial);
   }
+  q.set(lowest);
+  search.cost = least;
+  return end;
 }

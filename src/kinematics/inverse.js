@@ -130,7 +130,7 @@ export function inverseKinematics(chain, T_base_goal, options = {}) {
   /** The best posture inside the limits, with the reason why it is no better. @param {Partial<InverseResult>} reason @returns {InverseResult} */
   function nearest(reason) {
     settle(hunt);
-    const { isMet, result } = judge(hunt.best.slice(), 'pose');
+    const { isMet, result } = judge(hunt.best, 'pose');
     return isMet
       ? { status: 'converged', ...result }
       : { status: hunt.wasCut ? 'budget' : 'stalled', ...result, ...reason };

@@ -88,6 +88,36 @@ describe.each(ARMS)('%s', (name) => {
   });
 });
 
+test('with the wrist centre 1e-8 rad from the line of the first axis, where the way down is a narrow bend, it is found', () => {
+  // KUKA KR 6 R900 after ros-industrial/kuka_experimental, kr6r900sixx_macro.xacro; metres, degrees
+  const table = [
+    [0.025, -90, 0.4, 0, -170, 170],
+    [0.455, 0, 0, 0, -190, 45],
+    [0.035, 90, 0, -90, -120, 156],
+    [0, -90, -0.42, 0, -185, 185],
+    [0, 90, 0, 0, -120, 120],
+    [0, 180, -0.08, 0, -350, 350],
+  ];
+  const joints = table.map(([a, alpha, d, theta, lower, upper]) => {
+    const [twist, angle, low, high] = [alpha, theta, lower, upper].map((degrees) => (degrees * Math.PI) / 180);
+    return { type: /** @type {const} */ ('revolute'), a, alpha: twist, d, theta: angle, lower: low, upper: high };
+  });
+  for (const q of [
+    [
+      -0.18782745809931134, -1.232498439040583, -0.6859757267639135, 2.5410816906375437, 1.4891642507991807,
+      -4.342609203610181,
+    ],
+    [
+      0.054124402365906654, 0.7038398529019361, 2.0309485103003664, 2.2197940955008244, 1.2412872834345965,
+      -4.5019097591804655,
+    ],
+  ]) {
+    /** @type {ChainDescription} */
+    const description = { convention: 'standard', joints };
+    expect(solve(description, goalOf(description, q)).status).toBe('converged');
+  }
+});
+
 /** Postures with room to turn the tool over without moving it. */
 const ROOMY = {
   puma560: [
@@ -101,6 +131,20 @@ const ROOMY = {
     [1, -1, 1.5, 0.5, 1.2, 0],
   ],
 };
+
+test.each(ARMS)('scaling by a power of two, which rounds nothing, changes not one bit of the search: %s', (name) => {
+  const description = arm(name);
+  const goals = [...inverseCases[name].reachable.slice(0, 10), ...(inverseCases[name].nearSingular ?? []).slice(0, 5)];
+  for (const scale of [2 ** -10, 2 ** 10]) {
+    for (const goal of goals.map(fromLine)) {
+      const one = solve(description, goal);
+      const scaled = goal.map((row, i) => row.map((value, j) => (j === 3 && i < 3 ? value * scale : value)));
+      const other = solve(arm(name, scale), scaled, { positionTolerance: 1e-9 * scale });
+      const wanted = one.q.map((value, i) => (description.joints[i].type === 'prismatic' ? value * scale : value));
+      expect([other.iterations, ...other.q]).toEqual([one.iterations, ...wanted]);
+    }
+  }
+});
 
 describe('a half turn', () => {
   for (const name of /** @type {const} */ (['puma560', 'ur5'])) {

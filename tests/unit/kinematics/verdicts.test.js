@@ -76,6 +76,16 @@ describe('out of reach', () => {
       );
     }
   });
+  test('is not said because of rounding, however small the tolerance and however far away the base', () => {
+    const base = columnMajor(rigid(rodrigues([1, 2, 3], 1), [1e4, -1e4, 1e4]));
+    for (const description of [planar, { ...planar, base }]) {
+      for (let k = 0; k < 40; k++) {
+        const goal = columnMajor(goalOf(description, [k / 7, 0]));
+        const result = inverseKinematics(createChain(description), goal, { positionTolerance: 1e-300, restarts: 0 });
+        expect(result.status).not.toBe('unreachable');
+      }
+    }
+  });
   test('the far poses of the data are out of reach by what geometry says at least', () => {
     for (const name of /** @type {const} */ (['puma560', 'ur5'])) {
       const chain = createChain(arm(name));
@@ -116,6 +126,33 @@ describe('outside the limits', () => {
     expect(below.status).toBe('outside-limits');
     expect(below.limit).toEqual({ joint: 2, by: expect.closeTo(0.03, 8), bound: 'upper' });
     expect(below.positionError).toBeLessThan(0.031);
+  });
+  test('a slide that is much too short is out of reach instead', () => {
+    /** @type {ChainDescription} */
+    const telescope = {
+      convention: 'standard',
+      joints: [
+        { type: 'revolute', a: 0, alpha: QUARTER, d: 0, theta: 0 },
+        { type: 'revolute', a: 0, alpha: -QUARTER, d: 0, theta: 0 },
+        { type: 'prismatic', a: 0, alpha: 0, d: 0, theta: 0, lower: 0.5, upper: 1 },
+      ],
+    };
+    expect(solve(telescope, goalOf(telescope, [0.3, 0.4, 1.1]))).toMatchObject({
+      status: 'outside-limits',
+      limit: { joint: 2, by: expect.closeTo(0.1, 8), bound: 'upper' },
+    });
+    expect(solve(telescope, goalOf(telescope, [0.3, 0.4, 3]))).toMatchObject({
+      status: 'unreachable',
+      beyondReach: expect.closeTo(2, 8),
+    });
+  });
+  test('nothing is outside by nothing: a solution found while ignoring the limits, but inside them, is an answer', () => {
+    for (const name of /** @type {const} */ (['puma560', 'scara_cobra600'])) {
+      for (const line of inverseCases[name].reachable) {
+        const { status, limit } = solve(arm(name), fromLine(line), { restarts: 0 });
+        if (status === 'outside-limits') expect(limit?.by).toBeGreaterThan(1e-6);
+      }
+    }
   });
   test('the poses of the data that only ignoring the limits allows are called so', () => {
     const cases = (inverseCases.puma560.unreachable ?? []).filter(([why]) => why === 'limits');
@@ -177,6 +214,18 @@ describe('no posture at all', () => {
           expect((position / length) ** 2 + angle ** 2).toBeGreaterThan(cost * (1 - 1e-6) - 1e-9);
         }
       }
+    }
+  });
+  test('the nearest of many starts is kept, not the last', () => {
+    const description = arm('ur5');
+    const length = createChain(description).characteristicLength;
+    for (const [why, ...line] of inverseCases.ur5.unreachable ?? []) {
+      if (why !== 'geometry') continue;
+      const costs = [0, 3, 10, 30].map((restarts) => {
+        const { positionError, orientationError } = solve(description, fromLine(line), { restarts });
+        return (positionError / length) ** 2 + orientationError ** 2;
+      });
+      for (let i = 1; i < costs.length; i++) expect(costs[i]).toBeLessThan(costs[i - 1] * 1.05);
     }
   });
   test('a budget of nothing is said to be spent', () => {

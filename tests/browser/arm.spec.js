@@ -161,9 +161,11 @@ test('the picture comes back after the graphics context was lost', async ({ page
   await page.locator('canvas').evaluate(async (canvas) => {
     const gl = /** @type {HTMLCanvasElement} */ (canvas).getContext('webgl2');
     const loss = gl?.getExtension('WEBGL_lose_context');
-    const restored = new Promise((resolve) => canvas.addEventListener('webglcontextrestored', resolve));
+    const event = (/** @type {string} */ name) => new Promise((resolve) => canvas.addEventListener(name, resolve));
+    const [lost, restored] = [event('webglcontextlost'), event('webglcontextrestored')];
     loss?.loseContext();
-    await new Promise((resolve) => requestAnimationFrame(resolve));
+    await lost;
+    await new Promise((resolve) => requestAnimationFrame(resolve)); // it may not be restored while the loss is being told
     loss?.restoreContext();
     await restored;
   });

@@ -18,10 +18,20 @@ export async function open(page, query = '') {
   await page.evaluate(() => window.denavit.ready);
 }
 
-/** The scene's pixels, once it has drawn all that was asked of it. @param {Page} page */
+/**
+ * The scene's pixels, once two looks in a row see the same: a slow machine shows a frame a while after it was drawn.
+ * @param {Page} page
+ */
 export async function picture(page) {
   await settled(page);
-  return page.locator('canvas').screenshot();
+  const canvas = page.locator('canvas');
+  let last = await canvas.screenshot();
+  for (let looks = 0; looks < 20; looks++) {
+    const now = await canvas.screenshot();
+    if (now.equals(last)) return now;
+    last = now;
+  }
+  throw new Error('The picture does not come to rest.');
 }
 
 /** Lets some frames pass, and the last picture with them. @param {Page} page */

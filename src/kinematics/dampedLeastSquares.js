@@ -5,10 +5,11 @@
  * What is minimised is ½ (|position error| / L)² + ½ |orientation error|², with L the chain's characteristic length; slides
  * count in units of L too. So the search is the same in every unit and at every scale.
  *
- * The damping is proportional to what is minimised (Chan & Lawrence 1988; the factor was tried from 0.01 to 3 on generated
- * poses of 22 arms, and hardly matters between 0.03 and 0.3), more while steps fail. A step may go uphill for a while, as
- * long as it stays below the worst of the last few (Grippo, Lampariello & Lucidi 1986): near a singularity the way down is
- * a narrow bent valley, and a search that may only descend needs five times the starts there.
+ * The damping is proportional to what is minimised (Chan & Lawrence 1988), more while steps fail; a step that does not go
+ * downhill is not taken. Next to a singularity the way down is a narrow bent valley in which such a search soon stands
+ * still, just short of the goal; there, and only there, it may leap: a few undamped steps, uphill or not. (Without them
+ * poses within 1e-6 of a singularity take ten times the starts. The constants were chosen on generated poses of 22 arms;
+ * none matters much: damping from 0.03 to 0.3, patience from 3 to 8, and 3 leaps or more differ by a tenth.)
  *
  * @import { Chain } from './chain.js'
  * @import { Work } from './differences.js'
@@ -27,7 +28,7 @@
  * @property {boolean} isBounded  whether the limits hold
  * @property {TaskName} task
  * @property {number} spare       weight of what the task leaves free
- * @property {boolean} isSettling  to the very bottom, never uphill, instead of on to the next start as soon as it is slow
+ * @property {boolean} isSettling  to the very bottom, instead of on to the next start as soon as it is slow
  * @property {Float64Array} q     where the search is
  * @property {number} cost        what is minimised, at q
  * @property {number} iterations  in all descents so far
@@ -39,7 +40,6 @@
  * @property {Float64Array} trial
  * @property {Float64Array} lowest   where the cost was least in this descent
  * @property {Float64Array} residual
- * @property {Float64Array} recent   the last costs
  *
  * @typedef {'met' | 'rest' | 'cut'} Descent  within tolerance; nothing improves any more; iterations spent before either
  */
@@ -51,24 +51,19 @@ import { poseDifference } from './pose.js';
 import { shapeJacobian, shapeResidual, taskTurn } from './task.js';
 
 const DAMPING = 0.1;
+const MOST_COST = 1; // a goal many arm lengths off, as for a long slide, is not to be approached in ever smaller steps
 const LEAST_DAMPING = 1e-14; // of squares of order 1: only keeps a rank-deficient system solvable
 const MORE_DAMPING = 4;
 const LESS_DAMPING = 0.25;
 
-/** How many of the last costs a step may stay below the worst of. */
-const WINDOW = 8;
-
 /** Standstill: so many iterations in a row leave more than this share of the least cost so far, or so many steps fail. */
-const PATIENCE = 6;
+const PATIENCE = 4;
 const SHARE = { hunting: 0.98, settling: 1 - 1e-9 };
 const TRIES = { hunting: 6, settling: 20 };
 
-/**
- * So near the goal (error / L, squared) a standstill is most likely the bend of a valley that is narrower than the step:
- * a few undamped steps are taken, uphill or not, before the search gives up.
- */
+/** So near the goal (half the error squared) a standstill is most likely a bend, and so often the search may leap. */
 const NEARLY_MET = 1e-8;
-const LEAPS = 5;
+const LEAPS = 8;
 
 /**
  * One search for each number of joints, used again and again: allocating its arrays takes longer than most solves. Nothing
@@ -101,7 +96,6 @@ const allocateSearch = (packed, dof) => ({
   trial: new Float64Array(dof),
   lowest: new Float64Array(dof),
   residual: new Float64Array(6),
-  recent: new Float64Array(WINDOW),
 });
 
 /**
@@ -215,20 +209,18 @@ function takeStep({ packed, isBounded, q, trial, step, unit }) {
  * @returns {Descent}
  */
 export function descend(search) {
-  const { q, trial, lowest, recent, isSettling, maxIterations } = search;
-  const memory = isSettling ? 1 : WINDOW;
+  const { q, trial, lowest, isSettling, maxIterations } = search;
   const share = isSettling ? SHARE.settling : SHARE.hunting;
   const mostTries = isSettling ? TRIES.settling : TRIES.hunting;
   const leastDamping = isSettling ? 0 : DAMPING;
   let leaps = isSettling ? 0 : LEAPS;
   let isMet = measure(search, q);
-  let least = Infinity; // of all
-  let bar = Infinity; // the least since the last leap
+  let least = Infinity; // cost of all
+  let bar = Infinity; // likewise, since the last leap
   let slow = 0;
   let damping = DAMPING;
   /** @type {Descent} */
   let end = 'cut';
-  recent.fill(0);
   lowest.set(q);
   for (let iteration = 0; ; iteration++) {
     if (isMet && search.spare === 0) return 'met';
@@ -240,18 +232,15 @@ export function descend(search) {
     if (iteration === maxIterations) break;
     slow = cost > share * bar ? slow + 1 : 0;
     bar = Math.min(bar, cost);
-    recent[iteration % memory] = cost;
-    let worst = 0;
-    for (let k = 0; k < memory; k++) worst = Math.max(worst, recent[k]);
 
     search.iterations++;
     linearise(search);
     let isBetter = false;
     for (let tries = 0; slow < PATIENCE && tries < mostTries && !isBetter; tries++) {
-      if (!solveStep(search, damping * cost + LEAST_DAMPING)) break;
+      if (!solveStep(search, damping * Math.min(cost, MOST_COST) + LEAST_DAMPING)) break;
       takeStep(search);
       isMet = measure(search, trial);
-      isBetter = isMet || search.cost < worst;
+      isBetter = isMet || search.cost < cost;
       damping = isBetter ? Math.max(leastDamping, damping * LESS_DAMPING) : damping * MORE_DAMPING;
     }
     if (!isBetter) {
@@ -262,7 +251,6 @@ export function descend(search) {
       }
       takeStep(search);
       isMet = measure(search, trial);
-      recent.fill(0);
       bar = Infinity;
       slow = 0;
       damping = DAMPING;

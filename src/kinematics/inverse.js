@@ -121,17 +121,18 @@ export function inverseKinematics(chain, T_base_goal, options = {}) {
     const difference = poseDifference(T_base_tcp, T_base_goal);
     const [x, y, z, rx, ry, rz] = difference;
     const [positionError, orientationError] = [Math.hypot(x, y, z), Math.hypot(rx, ry, rz)];
-    const turn = taskTurn(task, T_base_tcp, T_base_goal, difference);
-    const isMet = positionError <= positionTolerance && turn <= orientationTolerance;
+    const isThere = positionError <= positionTolerance;
+    const isPose = isThere && orientationError <= orientationTolerance;
+    const isMet = isThere && taskTurn(task, T_base_tcp, T_base_goal, difference) <= orientationTolerance;
     const result = { q, positionError, orientationError, iterations: search.iterations, restarts: hunt.restarts };
-    return { isMet, result };
+    return { isPose, isMet, result };
   }
 
   /** The best posture inside the limits, with the reason why it is no better. @param {Partial<InverseResult>} reason @returns {InverseResult} */
   function nearest(reason) {
     settle(hunt);
-    const { isMet, result } = judge(hunt.best, 'pose');
-    return isMet
+    const { isPose, result } = judge(hunt.best, 'pose');
+    return isPose
       ? { status: 'converged', ...result }
       : { status: hunt.wasCut ? 'budget' : 'stalled', ...result, ...reason };
   }
@@ -141,9 +142,9 @@ export function inverseKinematics(chain, T_base_goal, options = {}) {
 
   /** What the search has just met, if that is so. @param {MetTask} [task] @returns {InverseResult | null} */
   function found(task) {
-    const { isMet, result } = judge(search.q.slice(), task?.name ?? 'pose');
-    if (!isMet) return null;
-    return task ? { status: 'subspace', ...result, task } : { status: 'converged', ...result };
+    const { isPose, isMet, result } = judge(search.q.slice(), task?.name ?? 'pose');
+    if (isPose) return { status: 'converged', ...result };
+    return task && isMet ? { status: 'subspace', ...result, task } : null;
   }
 
   /** The limits are all that is in the way? @param {TaskName} name @param {MetTask} [task] @returns {InverseResult | null} */

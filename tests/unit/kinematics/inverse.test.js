@@ -114,7 +114,32 @@ test('with the wrist centre 1e-8 rad from the line of the first axis, where the 
   ]) {
     /** @type {ChainDescription} */
     const description = { convention: 'standard', joints };
-    expect(solve(description, goalOf(description, q)).status).toBe('converged');
+    expect(solve(description, goalOf(description, q), { restarts: 100 }).status).toBe('converged');
+  }
+});
+
+test('a gantry with unlimited slides and a small wrist goes metres away in one descent', () => {
+  const slide = { type: /** @type {const} */ ('prismatic'), a: 0, d: 0, theta: 0 };
+  const turn = { type: /** @type {const} */ ('revolute'), a: 0, d: 0, theta: 0 };
+  /** @type {ChainDescription} */
+  const gantry = {
+    convention: 'standard',
+    joints: [
+      { ...slide, alpha: HALF_TURN / 2 },
+      { ...slide, alpha: HALF_TURN / 2, theta: HALF_TURN / 2 },
+      { ...slide, alpha: 0 },
+      { ...turn, alpha: HALF_TURN / 2 },
+      { ...turn, alpha: -HALF_TURN / 2 },
+      { ...turn, alpha: 0, d: 1e-3 },
+    ],
+  };
+  for (const q of [
+    [3, -2, 5, 0.4, 0.8, -1],
+    [300, 200, -500, 0.4, 0.8, -1],
+    [0.01, 0, 0, 1, 1, 1],
+  ]) {
+    const { status, restarts } = solve(gantry, goalOf(gantry, q));
+    expect([status, restarts]).toEqual(['converged', 0]);
   }
 });
 
@@ -257,6 +282,13 @@ describe('whatever is asked', () => {
     solve(description, two);
     expect(first.q).toEqual(kept);
   });
+});
+
+test('few iterations make it no less true: what is within tolerance is called converged, and nothing else is', () => {
+  for (const maxIterations of [0, 1, 3, 6]) {
+    for (const line of inverseCases.ur5.reachable.slice(0, 40))
+      solve(arm('ur5'), fromLine(line), { restarts: 0, maxIterations });
+  }
 });
 
 describe('the seed', () => {

@@ -37,6 +37,7 @@ describe('roll, pitch, yaw', () => {
   test('come back from any orientation, and give it again', () => {
     fc.assert(
       fc.property(anyPose, (T) => {
+        fc.pre(Math.hypot(T[0], T[1]) > 2e-12); // the neighbourhood of the lock is the next test's
         const [roll, pitch, yaw] = rollPitchYawOf(T);
         expect(Math.abs(pitch)).toBeLessThanOrEqual(QUARTER);
         const again = poseFromRollPitchYaw(T.subarray(12, 15), [roll, pitch, yaw]);

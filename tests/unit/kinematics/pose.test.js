@@ -26,7 +26,7 @@ describe('composition', () => {
   test('is the matrix product', () => {
     fc.assert(
       fc.property(anyPose, anyPose, (A, B) => {
-        expect(largestDifference(rowsOf(compose(A, B)), times(rowsOf(A), rowsOf(B)))).toBeLessThan(1e-15);
+        expect(largestDifference(rowsOf(compose(A, B)), times(rowsOf(A), rowsOf(B)))).toBeLessThan(2e-15);
       }),
       { seed: SEED, numRuns: runs(100) },
     );
@@ -48,7 +48,7 @@ describe('composition', () => {
     fc.assert(
       fc.property(anyPose, (T) => {
         for (const product of [compose(T, invert(T)), compose(invert(T), T), compose(T, invert(T.slice()))]) {
-          expect(largestDifference(rowsOf(product), rowsOf(identity()))).toBeLessThan(1e-15);
+          expect(largestDifference(rowsOf(product), rowsOf(identity()))).toBeLessThan(4e-15);
         }
         const own = T.slice();
         expect(invert(own, own)).toEqual(invert(T));

@@ -1,0 +1,80 @@
+import fc from 'fast-check';
+import { describe, expect, test } from 'vitest';
+import { createChain } from '../../../src/kinematics/chain.js';
+import { descend, prepareSearch } from '../../../src/kinematics/dampedLeastSquares.js';
+import { SEED, runs } from '../../helpers/property.js';
+import {
+  angleBetween,
+  anyPose,
+  arm,
+  columnMajor,
+  distanceBetween,
+  fromLine,
+  inverseCases,
+  oracleForward,
+  rowsOf,
+} from './oracle.js';
+
+const OPTIONS = { positionTolerance: 1e-9, orientationTolerance: 1e-9, maxIterations: 100 };
+const { joints } = arm('puma560');
+const puma = createChain(arm('puma560'));
+const anyStart = fc
+  .array(fc.double({ min: 0, max: 1, noNaN: true }), { minLength: 6, maxLength: 6 })
+  .map((parts) => parts.map((part, i) => joints[i].lower + part * (joints[i].upper - joints[i].lower)));
+
+/** Half the weighted square, by the oracle. @param {ArrayLike<number>} q @param {ArrayLike<number>} goal */
+function costAt(q, goal) {
+  const { tcp } = oracleForward(arm('puma560'), q);
+  const distance = distanceBetween(tcp, rowsOf(goal)) / puma.characteristicLength;
+  return (distance ** 2 + angleBetween(tcp, rowsOf(goal)) ** 2) / 2;
+}
+
+describe('one descent', () => {
+  test('ends no higher than it began, inside the limits, at the cost it states', () => {
+    fc.assert(
+      fc.property(
+        anyStart,
+        anyPose,
+        fc.integer({ min: 0, max: 30 }),
+        fc.boolean(),
+        (start, goal, maxIterations, isSettling) => {
+          const search = prepareSearch(puma, goal, { ...OPTIONS, maxIterations });
+          search.isSettling = isSettling;
+          search.q.set(start);
+          const end = descend(search);
+          expect(search.iterations).toBeLessThanOrEqual(maxIterations);
+          if (end === 'cut') expect(search.iterations).toBe(maxIterations);
+          expect(search.cost).toBeLessThanOrEqual(costAt(start, goal) * (1 + 1e-7));
+          expect(search.cost).toBeCloseTo(costAt(search.q, goal), 6);
+          search.q.forEach((value, i) => expect(value >= joints[i].lower && value <= joints[i].upper).toBe(true));
+        },
+      ),
+      { seed: SEED, numRuns: runs(150) },
+    );
+  });
+  test('next to a solution, leaps included, ends no higher than it began either', () => {
+    for (const line of inverseCases.puma560.nearSingular ?? []) {
+      const goal = columnMajor(fromLine(line));
+      for (const positionTolerance of [1e-9, 1e-300]) {
+        const search = prepareSearch(puma, goal, { ...OPTIONS, positionTolerance });
+        search.q.fill(0.1);
+        descend(search);
+        const first = search.cost;
+        const end = descend(search);
+        if (end !== 'met') expect(search.cost).toBeLessThanOrEqual(first);
+        expect(Math.abs(search.cost - costAt(search.q, goal))).toBeLessThan(1e-12);
+      }
+    }
+  });
+  test('that cannot even be measured stays where it began', () => {
+    const near = columnMajor(fromLine(inverseCases.puma560.reachable[0]));
+    descend(prepareSearch(puma, near, OPTIONS)); // leaves something behind
+    const far = near.slice();
+    far[12] = 1e200;
+    const search = prepareSearch(puma, far, OPTIONS);
+    const start = [0.1, 0.2, -0.3, 0.4, 0.5, 0.6];
+    search.q.set(start);
+    expect(descend(search)).toBe('rest');
+    expect(Array.from(search.q)).toEqual(start);
+  });
+});

@@ -110,6 +110,21 @@ describe('reach', () => {
       { seed: SEED, numRuns: runs(300) },
     );
   });
+  test('of the Stanford arm is no more than the lengths in its table add up to, the slide at its farther end', () => {
+    // Robotics Toolbox for Python 1.5.0, models/DH/Stanford.py
+    const quarter = Math.PI / 2;
+    const made = chain({
+      joints: [
+        joint({ a: 0, d: 0.412, alpha: -quarter }),
+        joint({ a: 0, d: 0.154, alpha: quarter }),
+        joint({ type: 'prismatic', a: 0.0203, theta: -quarter, lower: 0.3048, upper: 1.27 }),
+        joint({ a: 0, alpha: -quarter }),
+        joint({ a: 0, alpha: quarter }),
+        joint({ a: 0 }),
+      ],
+    });
+    expect(made.reach).toBeLessThanOrEqual(0.154 + Math.hypot(0.0203, 1.27) + 1e-12);
+  });
   test('is exceeded by none when the base is typed with six decimals', () => {
     const base = Float64Array.of(0.707107, 0.707107, 0, 0, -0.707107, 0.707107, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
     const { reach } = chain({ base });

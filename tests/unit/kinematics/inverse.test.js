@@ -88,7 +88,7 @@ describe.each(ARMS)('%s', (name) => {
   });
 });
 
-test('with the wrist centre 1e-8 rad from the line of the first axis, where the way down is a narrow bend, it is found', () => {
+test('with the wrist centre next to the line of the first axis, where the way down is a narrow bend, it is found', () => {
   // KUKA KR 6 R900 after ros-industrial/kuka_experimental, kr6r900sixx_macro.xacro; metres, degrees
   const table = [
     [0.025, -90, 0.4, 0, -170, 170],
@@ -104,17 +104,21 @@ test('with the wrist centre 1e-8 rad from the line of the first axis, where the 
   });
   for (const q of [
     [
-      -0.18782745809931134, -1.232498439040583, -0.6859757267639135, 2.5410816906375437, 1.4891642507991807,
-      -4.342609203610181,
+      0.12481093357273254, -1.458107156145418, -0.21126532090970507, -1.584057402298287, 1.5173094041588908,
+      -3.0438360922862384,
     ],
     [
-      0.054124402365906654, 0.7038398529019361, 2.0309485103003664, 2.2197940955008244, 1.2412872834345965,
-      -4.5019097591804655,
+      1.8325828826416366, -1.8295239432961017, 0.5605027825546993, -2.230619181651272, 1.0281860357655659,
+      -1.2129690402132978,
+    ],
+    [
+      0.7448162102067521, -2.681575216870582, 2.3319739758392735, -1.1252504736470854, -0.000610773519975627,
+      -5.220050183608631,
     ],
   ]) {
     /** @type {ChainDescription} */
     const description = { convention: 'standard', joints };
-    expect(solve(description, goalOf(description, q), { restarts: 100 }).status).toBe('converged');
+    expect(solve(description, goalOf(description, q), { restarts: 10 }).status).toBe('converged');
   }
 });
 

@@ -62,9 +62,6 @@ const LESSER_TASKS = [
   { name: 'position', met: ['position'], free: ['orientation'] },
 ];
 
-/** Radians that a product of frames may be off by, with room to spare. */
-const ROUNDING = 1e-12;
-
 /** With this many joints or more an arm is meant to meet whole poses, and half an answer is none. */
 const FULL_POSE_JOINTS = 6;
 
@@ -138,7 +135,7 @@ export function inverseKinematics(chain, T_base_goal, options = {}) {
   }
 
   /** Whether no posture can have the orientation, limits or not. @param {TaskName} task */
-  const isHopeless = (task) => certainTurn(chain, T_base_goal, task) > orientationTolerance + ROUNDING;
+  const isHopeless = (task) => certainTurn(chain, T_base_goal, task) > orientationTolerance;
 
   /** What the search has just met, if that is so. @param {MetTask} [task] @returns {InverseResult | null} */
   function found(task) {

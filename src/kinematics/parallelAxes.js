@@ -7,7 +7,7 @@
  */
 import { linkFrames, tcpPose } from './forward.js';
 import { ROW, SIN_TWIST } from './packed.js';
-import { poseDifference } from './pose.js';
+import { poseDifference, skewness } from './pose.js';
 
 /** The angle between two directions. @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
 function angleBetween(a, b) {
@@ -26,6 +26,12 @@ function leadingJoint({ joints, packed }) {
   return first;
 }
 
+/** Radians that a product of frames may be off by, with room to spare. */
+const ROUNDING = 1e-13;
+
+/** Of angles between axes that are off by their skewness and by rounding: each is off by no more than this many times it. */
+const DOUBT = 4;
+
 /**
  * The orientation that a task asks for is missed by at least this angle, whatever the posture and its limits.
  * @param {Chain} chain
@@ -34,6 +40,18 @@ function leadingJoint({ joints, packed }) {
  * @returns {number} radians; 0 also where nothing is known
  */
 export function certainTurn(chain, T_base_goal, task) {
+  const { start, tool } = chain.packed;
+  const doubt = DOUBT * (skewness(start) + skewness(tool) + skewness(T_base_goal) + ROUNDING);
+  return Math.max(0, leastTurn(chain, T_base_goal, task) - doubt);
+}
+
+/**
+ * The same, as if all axes were orthonormal.
+ * @param {Chain} chain
+ * @param {ArrayLike<number>} T_base_goal
+ * @param {TaskName} task
+ */
+function leastTurn(chain, T_base_goal, task) {
   const leader = leadingJoint(chain);
   if (leader < 0 || task === 'position') return 0;
   const q = new Float64Array(chain.dof);
@@ -44,12 +62,13 @@ export function certainTurn(chain, T_base_goal, task) {
   if (task === 'position-and-axis') {
     return Math.abs(angleBetween([T[8], T[9], T[10]], u) - angleBetween([G[8], G[9], G[10]], u));
   }
-  // The half-angle quaternion (w, v) of the turn that is missing, less its part about u (swing–twist decomposition).
-  const turn = poseDifference(T, G).subarray(3);
-  const half = Math.hypot(turn[0], turn[1], turn[2]) / 2;
-  const about = (turn[0] * u[0] + turn[1] * u[1] + turn[2] * u[2]) / 2;
+  // The quaternion (cos, v sin) of the turn that is missing, less its part about u (swing–twist decomposition). What is
+  // across u is taken as a vector: squares subtracted would leave half the digits, and call possible things impossible.
+  const [x, y, z] = poseDifference(T, G).subarray(3);
+  const half = Math.hypot(x, y, z) / 2;
   if (half === 0) return 0;
+  const about = (x * u[0] + y * u[1] + z * u[2]) / 2;
+  const across = Math.hypot(x / 2 - about * u[0], y / 2 - about * u[1], z / 2 - about * u[2]);
   const sine = Math.sin(half) / half;
-  const across = Math.sqrt(Math.max(0, half * half - about * about));
   return 2 * Math.atan2(sine * across, Math.hypot(Math.cos(half), sine * about));
 }

@@ -6,8 +6,8 @@
  * @typedef {Float64Array} Pose  16 numbers, column-major; metres
  */
 
-/** How far from orthonormal a rotation may be (largest entry of RᵀR − 1): six typed decimals pass, a typing error does not. */
-const RIGID_TOLERANCE = 1e-6;
+/** How far from orthonormal a rotation may be (largest entry of RᵀR − 1): six decimals always pass, a typing error does not. */
+const RIGID_TOLERANCE = 2e-6;
 
 /** @returns {Pose} */
 export function identity() {
@@ -138,6 +138,20 @@ export function poseDifference(T_a_from, T_a_to, out = new Float64Array(6)) {
   out[4] = y * scale;
   out[5] = z * scale;
   return out;
+}
+
+/**
+ * How far the axes are from orthonormal: the Frobenius norm of RᵀR − 1. Rounding leaves 1e-16, six typed decimals 1e-6.
+ * @param {ArrayLike<number>} T
+ */
+export function skewness(T) {
+  let square = 0;
+  for (let i = 0; i < 12; i += 4) {
+    for (let j = 0; j < 12; j += 4) {
+      square += (T[i] * T[j] + T[i + 1] * T[j + 1] + T[i + 2] * T[j + 2] - (i === j ? 1 : 0)) ** 2;
+    }
+  }
+  return Math.sqrt(square);
 }
 
 /**

@@ -11,12 +11,12 @@
  * cross, as in a wrist, the best distance is zero and the sum has a kink.
  *
  * @import { Packed } from './packed.js'
- * @import { Pose } from './pose.js'
  *
  * @typedef {{ across: number, slope: number, rise: number, along: number, travel: number }} Link  from axis point i to
  *   i + 1: the squared distance is across² + (slope · s_{i+1})² + (rise · s_{i+1} − s_i + along ± travel)²
  */
 import { COS_TWIST, LENGTH, OFFSET, ROW, SIN_TWIST, SLIDES } from './packed.js';
+import { skewness } from './pose.js';
 
 const ROUNDS = 100; // brings the sum within a thousandth of the least, which is as much as a verdict needs
 const FIRST_FLOOR = 0.1; // of the sum before
@@ -123,21 +123,6 @@ function shorten(links) {
 }
 
 /**
- * A rigid transform typed with six decimals stretches lengths by up to a millionth; the proof must not miss that.
- * @param {Pose} T
- */
-function stretch(T) {
-  let square = 0;
-  for (let i = 0; i < 3; i++) {
-    for (let j = 0; j < 3; j++) {
-      const product = T[4 * i] * T[4 * j] + T[4 * i + 1] * T[4 * j + 1] + T[4 * i + 2] * T[4 * j + 2];
-      square += (product - (i === j ? 1 : 0)) ** 2;
-    }
-  }
-  return Math.sqrt(1 + Math.sqrt(square));
-}
-
-/**
  * The characteristic length is half the reach that the arm has while every unlimited slide stands at zero, or 1 m if that is
  * nothing: it grows with the arm, in every unit, and does not depend on which of the many valid tables describes it.
  * @param {Packed} packed
@@ -154,7 +139,8 @@ export function measureReach(packed) {
       start[13] + along * start[9],
       start[14] + along * start[10],
     ]),
-    reach: isUnlimited ? Infinity : sum * stretch(start),
+    // no vector grows by more than this under a transform whose axes are not quite orthonormal
+    reach: isUnlimited ? Infinity : sum * Math.sqrt(1 + skewness(start)),
     characteristicLength: sum > NOTHING ? sum / 2 : 1,
   };
 }

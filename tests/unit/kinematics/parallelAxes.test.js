@@ -57,6 +57,40 @@ describe('an arm whose turning axes are parallel', () => {
       { seed: SEED, numRuns: runs(200) },
     );
   });
+  test('misses by nothing what forward kinematics made on a base, or with a tool, typed with six decimals', () => {
+    const typed = Float64Array.of(
+      0.612372,
+      0.612372,
+      -0.5,
+      0,
+      -0.707107,
+      0.707107,
+      0,
+      0,
+      0.353554,
+      0.353553,
+      0.866025,
+      0,
+      0,
+      0,
+      0,
+      1,
+    );
+    for (const frames of [{ base: typed }, { tool: typed }, { base: typed, tool: typed }]) {
+      const description = { ...arm('planar2r'), ...frames };
+      const chain = createChain(description);
+      for (const q of [
+        [0.3, 0.8],
+        [2, -1],
+        [-1, 2.5],
+      ]) {
+        const goal = columnMajor(oracleForward(description, q).tcp);
+        expect(certainTurn(chain, goal, 'pose')).toBe(0);
+        expect(certainTurn(chain, goal, 'position-and-axis')).toBe(0);
+        expect(inverseKinematics(chain, goal).status).toBe('converged');
+      }
+    }
+  });
   test('misses a tilt by the tilt', () => {
     const description = arm('scara_cobra600');
     const { tcp } = oracleForward(description, [0.1, 0.2, 0.1, 0.3]);

@@ -1,6 +1,6 @@
 /**
  * Who may import whom. This table is the architecture (docs/architecture.md); change both in one commit, with an ADR.
- * Type imports count: a folder that needs another's types depends on it. tests/unit/tooling/imports.test.js plants a
+ * Type imports count: a folder that needs another's types depends on it. tests/unit/tooling/importRules.test.js plants a
  * violation of every rule here.
  */
 const MAY_IMPORT = {
@@ -11,7 +11,7 @@ const MAY_IMPORT = {
   workers: { folders: ['kinematics'], packages: [] },
   render: { folders: ['model', 'kinematics'], packages: ['three', '@types/three'] },
   ui: {
-    folders: ['model', 'io', 'karel', 'workers', 'kinematics'],
+    folders: ['model', 'io', 'karel', 'workers'],
     packages: ['jquery', '@types/jquery', 'bootstrap', '@types/bootstrap', '@popperjs/core', 'bootstrap-icons'],
   },
 };

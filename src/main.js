@@ -1,5 +1,5 @@
 /**
- * The composition root: hands clock, storage and chance to everything, and is the only file that knows both the scene
+ * The composition root: makes the parts, hands each what it needs, and is the only file that knows both the scene
  * (`render`) and the panels (`ui`).
  *
  * @import { AppState, Action } from './model/session.js'
@@ -12,7 +12,7 @@ import './ui/css/layout.css';
 import { version } from '../package.json';
 import { SCHEMA, readQueryParameters } from './io/queryParameters.js';
 import { createManualClock } from './model/clock.js';
-import { poseFromXyzwpr } from './model/aim.js';
+import { isAtAnswer, poseFromXyzwpr } from './model/aim.js';
 import { compileLinkStyles } from './model/compile.js';
 import { createDerived } from './model/derived.js';
 import { LIBRARY, newDocument } from './model/library.js';
@@ -24,12 +24,13 @@ import { createStage } from './render/stage.js';
 import { createAimPanel } from './ui/aimPanel.js';
 import { createAnnouncer } from './ui/announce.js';
 import { createBar } from './ui/bar.js';
-import { createBrowserClock } from './ui/browserClock.js';
+import { createBrowserClock, today } from './ui/browserClock.js';
 import { createCodePanel } from './ui/codePanel.js';
 import { createDhTable } from './ui/dhTable.js';
 import { createFiles } from './ui/files.js';
 import { createJogPanel } from './ui/jogPanel.js';
 import { createMessages } from './ui/messages.js';
+import { createOpener } from './ui/opener.js';
 import { createPosePanel } from './ui/posePanel.js';
 import { createProgramPanel } from './ui/programPanel.js';
 import { createScripting } from './ui/scripting.js';
@@ -38,6 +39,9 @@ import { createShortcuts } from './ui/shortcuts.js';
 import { TEXT } from './ui/strings.js';
 import { createTheme } from './ui/theme.js';
 import { createViewPanel } from './ui/viewPanel.js';
+
+/** An arm with a reach this much larger or smaller (as a logarithm: half as much again) is another one to the eye. */
+const OTHER_SIZE = Math.log(1.5);
 
 const { values: parameters, refused } = readQueryParameters(location.search, SCHEMA);
 const manualClock = parameters.clock === 'manual' ? createManualClock() : null;
@@ -52,7 +56,7 @@ for (const { name, text, initial } of refused) {
 const store = createStore(startState(newDocument(LIBRARY[parameters.robot])), reduce);
 const derived = createDerived();
 const addView = createViews(store, clock, { onError: messages.fault });
-const page = { store, addView, derived, clock, announce: createAnnouncer(), messages };
+const page = { store, addView, derived, clock, announce: createAnnouncer(), messages, opener: createOpener(store) };
 
 const theme = createTheme(parameters.theme);
 const files = createFiles(page);
@@ -60,7 +64,7 @@ createBar(page, shell.bar, { files, theme });
 runPanels(page, shell);
 createDhTable(page, shell.tabs.robot);
 createProgramPanel(page, shell.tabs.program);
-createCodePanel(page, shell.tabs.code, { version, today: () => new Date().toISOString() });
+createCodePanel(page, shell.tabs.code, { version, today });
 createJogPanel(page, shell.jog);
 const pose = createPosePanel(page, shell.pose);
 createAimPanel(page, shell.aim);
@@ -77,16 +81,19 @@ const stage = createStage({
 });
 if (stage) {
   const linkStyles = memo(compileLinkStyles);
-  let shownName = store.state.doc.robot.name;
   view.surround(stage.canvas, () => stage.fit());
   theme.onChange(stage.setTheme);
+  let shown = { edition: 0, name: '', reach: 0 };
   addView(
-    together(({ doc }) => [doc.robot, doc.posture]),
-    ([robot]) => {
-      stage.showArm(derived.chain(store.state.doc), linkStyles(robot));
+    together(({ doc, session }) => [doc.robot, doc.posture, session.edition]),
+    ([robot, , edition]) => {
+      const chain = derived.chain(store.state.doc);
+      stage.showArm(chain, linkStyles(robot));
       stage.showPosture(derived.posture(store.state.doc));
-      if (robot.name !== shownName) stage.fit();
-      shownName = robot.name;
+      // Another arm is brought into the picture; one whose table is edited stays where the person looks at it.
+      const isOther = robot.name !== shown.name || Math.abs(Math.log(chain.reach / shown.reach)) > OTHER_SIZE;
+      if (edition !== shown.edition && isOther) stage.fit();
+      shown = { edition, name: robot.name, reach: chain.reach };
     },
   );
   addView(({ session }) => session.cell?.joint ?? session.heldJoint, stage.highlightJoint);
@@ -95,7 +102,7 @@ if (stage) {
     together(({ doc, session }) => [doc.robot, session.target, doc.posture, session.answer]),
     ([robot, target, posture, answer]) => {
       // What is missing is drawn where the arm has gone as near as it can, not where it merely stands.
-      const isAtNearest = answer !== null && !answer.isMet && answer.posture.every((value, i) => value === posture[i]);
+      const isAtNearest = answer !== null && !answer.isMet && isAtAnswer(answer, posture);
       stage.showTarget(target && poseFromXyzwpr(robot, target), { reached: !isAtNearest });
     },
   );

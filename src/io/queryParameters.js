@@ -19,9 +19,9 @@ const oneOf = (values) => (text) => values.find((value) => value === text);
 export const SCHEMA = {
   robot: { initial: FIRST_ROBOT, read: oneOf(Object.keys(LIBRARY)), help: 'The robot to begin with, by its id.' },
   theme: {
-    initial: /** @type {'auto' | 'light' | 'dark'} */ ('auto'),
+    initial: /** @type {'auto' | 'light' | 'dark' | null} */ (null),
     read: oneOf(/** @type {const} */ (['auto', 'light', 'dark'])),
-    help: 'Colours; auto follows the system.',
+    help: 'Colours; auto follows the system, none the last choice.',
   },
   quality: {
     initial: /** @type {'high' | 'low'} */ ('high'),

@@ -42,11 +42,11 @@ export const xyzwprOf = ({ units }, T) => [
 /**
  * @param {Doc} doc      the present posture is the seed, so the answer is the nearest that the search finds
  * @param {Chain} chain  compiled from `doc.robot`
- * @param {Float64Array} T_base_target
+ * @param {Float64Array} T_world_target
  * @returns {AimAnswer}
  */
-export function aim({ robot, posture }, chain, T_base_target) {
-  const result = inverseKinematics(chain, T_base_target, { seed: compilePosture(robot, posture) });
+export function aim({ robot, posture }, chain, T_world_target) {
+  const result = inverseKinematics(chain, T_world_target, { seed: compilePosture(robot, posture) });
   return {
     status: result.status,
     posture: postureFromKernel(robot, result.q),
@@ -61,11 +61,11 @@ const CLOSED_RADIANS = 5e-5;
 
 /**
  * How far it is from one pose to another.
- * @param {Float64Array} T_base_from
- * @param {Float64Array} T_base_to
+ * @param {Float64Array} T_world_from
+ * @param {Float64Array} T_world_to
  */
-export function gapBetween(T_base_from, T_base_to) {
-  const [x, y, z, rx, ry, rz] = poseDifference(T_base_from, T_base_to);
+export function gapBetween(T_world_from, T_world_to) {
+  const [x, y, z, rx, ry, rz] = poseDifference(T_world_from, T_world_to);
   const [metres, radians] = [Math.hypot(x, y, z), Math.hypot(rx, ry, rz)];
   return {
     metres,
@@ -74,3 +74,6 @@ export function gapBetween(T_base_from, T_base_to) {
     isClosed: metres < CLOSED_METRES && radians < CLOSED_RADIANS,
   };
 }
+
+/** Whether the arm stands at the best posture that the answer found. @param {AimAnswer} answer @param {readonly number[]} posture */
+export const isAtAnswer = (answer, posture) => answer.posture.every((value, i) => value === posture[i]);

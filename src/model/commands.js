@@ -2,9 +2,11 @@
  * Every way the document can change, as plain data and one pure function. What can be said against a command is in
  * refusals.js, which the session asks before it comes here, so that the document in the store is always valid.
  *
+ * A value that is undefined takes a limit away.
+ *
  * @import { Doc, JointDoc, JointField } from './document.js'
  *
- * @typedef {{ type: 'set-joint-field', joint: number, field: JointField, value: number }
+ * @typedef {{ type: 'set-joint-field', joint: number, field: JointField, value: number | undefined }
  *   | { type: 'set-joint-value', joint: number, value: number }
  *   | { type: 'set-posture', posture: readonly number[] }
  *   | { type: 'record-posture' }
@@ -55,13 +57,15 @@ export function applyCommand(doc, command) {
  * A new number takes the place of what was typed for the old one, too.
  * @param {JointDoc} joint
  * @param {JointField} field
- * @param {number} value
+ * @param {number | undefined} value
  * @returns {JointDoc}
  */
 function withField(joint, field, value) {
   const { text, ...rest } = joint;
   const kept = Object.entries(text ?? {}).filter(([name]) => name !== field);
-  return { ...rest, [field]: value, ...(kept.length > 0 && { text: Object.fromEntries(kept) }) };
+  const row = { ...rest, [field]: value, ...(kept.length > 0 && { text: Object.fromEntries(kept) }) };
+  if (value === undefined) delete row[field];
+  return row;
 }
 
 /** The first of p1, p2, … that no recorded posture has. @param {Doc} doc */

@@ -6,13 +6,16 @@
  */
 import { LARGEST_JOINT_VALUE } from '../karel/fanucPlan.js';
 import { hasControllerData } from './controllerConvention.js';
-import { isSliding, quantityOf } from './document.js';
+import { isSliding, limitsOf, quantityOf } from './document.js';
 
 /** Degrees: one full turn. */
 const FULL_TURN = 360;
 
 /** How far past a limit is still at the limit: what bringing a value back from radians may cost, as a share of it. */
 const ROUNDING = 1e-12;
+
+/** Significant digits of a number in a sentence. */
+const SHOWN_DIGITS = 9;
 
 /** @param {RobotDoc} robot @returns {Issue[]} */
 export function robotIssues(robot) {
@@ -44,25 +47,34 @@ export function postureIssues({ joints, units }, { id, q, pendant, index }) {
 /** @param {number} pendant @returns {Problem | null} */
 function tooLarge(pendant) {
   if (Math.abs(pendant) <= LARGEST_JOINT_VALUE) return null;
-  const text = `${pendant} on the pendant; a controller takes values up to ±${LARGEST_JOINT_VALUE}`;
+  const text = `${shown(pendant)} on the pendant; a controller takes values up to ±${LARGEST_JOINT_VALUE}`;
   return { severity: 'error', code: 'value-too-large', text };
 }
 
 /** @param {JointDoc} joint @param {number} value @param {string} unit @returns {Problem | null} */
-function pastLimit({ lower = -Infinity, upper = Infinity }, value, unit) {
+function pastLimit(joint, value, unit) {
+  const { lower, upper } = limitsOf(joint);
   const [limit, side] = value < lower ? [lower, 'below its lower'] : [upper, 'above its upper'];
   const isPast = value < lower || value > upper;
   if (!isPast || Math.abs(value - limit) <= ROUNDING * Math.abs(limit)) return null;
-  return { severity: 'warning', code: 'outside-limits', text: `${value} ${unit}, ${side} limit of ${limit} ${unit}` };
+  return {
+    severity: 'warning',
+    code: 'outside-limits',
+    text: `${shown(value)} ${unit}, ${side} limit of ${shown(limit)} ${unit}`,
+  };
 }
 
 /** @param {JointDoc} joint @param {number} pendant @returns {Problem | null} */
-function manyTurns({ lower, upper }, pendant) {
-  const isLimited = (pendant < 0 ? lower : upper) !== undefined;
+function manyTurns(joint, pendant) {
+  const { lower, upper } = limitsOf(joint);
+  const isLimited = Number.isFinite(pendant < 0 ? lower : upper);
   if (isLimited || Math.abs(pendant) <= FULL_TURN) return null;
-  const text = `${pendant} deg, more than a full turn from zero; the model has no limit there, but a controller's axis has`;
+  const text = `${shown(pendant)} deg, more than a full turn from zero; the model has no limit there, but a controller's axis has`;
   return { severity: 'warning', code: 'many-turns', text };
 }
+
+/** Without the noise of the last digits. @param {number} value */
+const shown = (value) => String(Number(value.toPrecision(SHOWN_DIGITS)));
 
 /** @param {JointDoc} joint @param {number} index */
 const nameOf = ({ label }, index) => (label ? `J${index + 1} (${label})` : `J${index + 1}`);

@@ -4,24 +4,27 @@
  *
  * @import { Doc } from './document.js'
  */
-import { linkFrames, tcpPose } from '../kinematics/forward.js';
+import { tcpPose } from '../kinematics/forward.js';
+import { xyzwprOf } from './aim.js';
 import { compilePosture, compileRobot } from './compile.js';
 import { memo } from './memo.js';
 
 export function createDerived() {
   const chainOf = memo(compileRobot);
   const postureOf = memo(compilePosture);
-  const framesOf = memo(linkFrames);
   const tcpOf = memo(tcpPose);
+  const xyzwprFrom = memo(xyzwprOf);
 
   const chain = (/** @type {Doc} */ { robot }) => chainOf(robot);
   /** Joint values, metres and radians. */
   const posture = (/** @type {Doc} */ { robot, posture: values }) => postureOf(robot, values);
+  const tcp = (/** @type {Doc} */ doc) => tcpOf(chain(doc), posture(doc));
   return {
     chain,
     posture,
-    frames: (/** @type {Doc} */ doc) => framesOf(chain(doc), posture(doc)),
-    tcp: (/** @type {Doc} */ doc) => tcpOf(chain(doc), posture(doc)),
+    tcp,
+    /** The tool's pose as X Y Z W P R, in document units. */
+    xyzwpr: (/** @type {Doc} */ doc) => xyzwprFrom(doc.robot, tcp(doc)),
   };
 }
 

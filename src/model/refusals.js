@@ -5,11 +5,19 @@
  * @import { Doc, JointField } from './document.js'
  * @import { Issue } from './issues.js'
  */
-import { DH_FIELDS, MAX_POSTURES } from './document.js';
+import { MAX_POSTURES } from './document.js';
 import { ID_PATTERN, LARGEST_NUMBER, PRESENT_POSTURE_ID } from './documentRules.js';
 
-/** @type {readonly JointField[]} */
-const FIELDS = [...DH_FIELDS, 'lower', 'upper', 'home'];
+/** @type {Record<JointField, string>} */
+const FIELD_NAMES = {
+  theta: 'joint angle',
+  d: 'link offset',
+  a: 'link length',
+  alpha: 'link twist',
+  lower: 'lower limit',
+  upper: 'upper limit',
+  home: 'home value',
+};
 
 /**
  * @param {Doc} doc
@@ -23,7 +31,7 @@ export function refusal(doc, command) {
       return (
         badIndex('joint', command.joint, robot.joints.length) ??
         badField(command.field) ??
-        badNumber(command.field, command.value) ??
+        badNumber(FIELD_NAMES[command.field], command.value, command.field === 'lower' || command.field === 'upper') ??
         crossedLimits(doc, command)
       );
     case 'set-joint-value':
@@ -53,7 +61,8 @@ export function refusal(doc, command) {
 /** @param {string} code @param {string} path @param {string} message @returns {Issue} */
 const issue = (code, path, message) => ({ severity: 'error', code, path, message });
 
-const shown = (/** @type {unknown} */ value) => (typeof value === 'string' ? `"${value}"` : String(value));
+/** A value in a sentence: a text in quotes, a number with a true minus. @param {unknown} value */
+const shown = (value) => (typeof value === 'string' ? `"${value}"` : String(value).replace('-', '−'));
 
 /** @param {'joint' | 'posture'} what @param {number} index @param {number} count */
 function badIndex(what, index, count) {
@@ -63,26 +72,28 @@ function badIndex(what, index, count) {
 
 /** @param {string} field */
 function badField(field) {
-  if (FIELDS.some((known) => known === field)) return null;
-  return issue('field', 'robot.joints', `Expected one of ${FIELDS.join(', ')}, got ${shown(field)}.`);
+  if (Object.hasOwn(FIELD_NAMES, field)) return null;
+  return issue('field', 'robot.joints', `Expected one of ${Object.keys(FIELD_NAMES).join(', ')}, got ${shown(field)}.`);
 }
 
-/** @param {string} what @param {number} value */
-function badNumber(what, value) {
-  if (Number.isFinite(value) && Math.abs(value) <= LARGEST_NUMBER) return null;
-  return issue('number', what, `Expected a ${what} between −10⁹ and 10⁹, got ${shown(value)}.`);
+/** @param {string} what @param {number | undefined} value @param {boolean} [mayBeAbsent] */
+function badNumber(what, value, mayBeAbsent = false) {
+  if (value === undefined ? mayBeAbsent : Number.isFinite(value) && Math.abs(value) <= LARGEST_NUMBER) return null;
+  return issue('number', what, `A ${what} is a number from −10⁹ to 10⁹; got ${shown(value)}.`);
 }
 
 /** @param {Doc} doc @param {Extract<Command, { type: 'set-joint-field' }>} command */
 function crossedLimits({ robot }, { joint, field, value }) {
   const old = robot.joints[joint];
-  const lower = field === 'lower' ? value : (old.lower ?? -Infinity);
-  const upper = field === 'upper' ? value : (old.upper ?? Infinity);
+  const { lower = -Infinity, upper = Infinity } = {
+    lower: field === 'lower' ? value : old.lower,
+    upper: field === 'upper' ? value : old.upper,
+  };
   if (lower <= upper) return null;
   const message =
     field === 'lower'
-      ? `The lower limit must not be above the upper one, ${upper}.`
-      : `The upper limit must not be below the lower one, ${lower}.`;
+      ? `The lower limit must not be above the upper one, ${shown(upper)}.`
+      : `The upper limit must not be below the lower one, ${shown(lower)}.`;
   return issue('limits-crossed', `robot.joints.${joint}.${field}`, message);
 }
 

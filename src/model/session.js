@@ -21,19 +21,22 @@
  *
  * @typedef {History & { readonly session: Session }} AppState
  *
+ * Commands with the same gesture, one after the other, are one undo step, and each replaces the one before.
+ *
  * @typedef {(Command & { gesture?: string })
  *   | { type: 'undo' } | { type: 'redo' } | { type: 'end-gesture' } | { type: 'cancel-gesture' }
  *   | { type: 'show', change: Partial<Session> }} Action
  */
 import { applyCommand } from './commands.js';
+import { deepFreeze } from './freeze.js';
 import { refusal } from './refusals.js';
 import { cancelGesture, endGesture, record, redo, startHistory, undo } from './history.js';
 
 /** @type {Session} */
 const FRESH = { panel: 'jog', tab: 'robot', cell: null, heldJoint: null, target: null, answer: null, edition: 0 };
 
-/** @param {Doc} doc @param {Partial<Session>} [session] @returns {AppState} */
-export const startState = (doc, session = {}) => ({ ...startHistory(doc), session: { ...FRESH, ...session } });
+/** @param {Doc} doc @returns {AppState} */
+export const startState = (doc) => ({ ...startHistory(deepFreeze(doc)), session: FRESH });
 
 /**
  * @param {AppState} state
@@ -60,7 +63,7 @@ export function reduce(state, action) {
     case 'replace-document':
       return exchanged(settle(state, history, record(history, carryOut(state.doc, action))), state);
     default:
-      return settle(state, history, record(history, carryOut(state.doc, action), action.gesture));
+      return settle(state, history, record(history, carryOut(groundOf(state, action.gesture), action), action.gesture));
   }
 }
 
@@ -89,12 +92,22 @@ function exchanged(state, before) {
 }
 
 /**
+ * What a command is applied to: each of a gesture replaces the one before, so all of them apply to the document that the
+ * gesture began with. A drag that ends where it began has then changed nothing.
+ * @param {AppState} state
+ * @param {string} [gesture]
+ */
+const groundOf = (state, gesture) =>
+  gesture !== undefined && gesture === state.gesture?.id ? state.gesture.doc : state.doc;
+
+/**
  * @param {Doc} doc
  * @param {Command} command
+ * @returns {Doc} frozen
  * @throws {RangeError} with the reason, when there is one against it
  */
 function carryOut(doc, command) {
   const reason = refusal(doc, command);
   if (reason) throw new RangeError(reason.message);
-  return applyCommand(doc, command);
+  return deepFreeze(applyCommand(doc, command));
 }

@@ -5,7 +5,7 @@
  * @import { AppState } from '../model/session.js'
  */
 import $ from 'jquery/slim';
-import { aim, poseFromXyzwpr, xyzwprOf } from '../model/aim.js';
+import { aim, isAtAnswer, poseFromXyzwpr } from '../model/aim.js';
 import { memo } from '../model/memo.js';
 import { together } from '../model/views.js';
 import { differenceInWords, verdictInWords } from './verdict.js';
@@ -27,18 +27,16 @@ export function createAimPanel(page, host) {
     { type: 'button', class: 'btn btn-icon', 'aria-label': TEXT.aim.follow, title: TEXT.aim.follow },
     icon('crosshair'),
   );
-  const reasonLine = h('p', { class: 'reason sm', id: 'aim-reason' });
+  const reasonLine = h('p', { class: 'reason sm', id: 'aim-reason', hidden: true });
   const verdict = h('p', { class: 'verdict-line sm' });
   const move = h('button', { type: 'submit', class: 'btn btn-primary' }, TEXT.aim.move);
   const nearest = h('button', { type: 'button', class: 'btn btn-outline' }, TEXT.aim.nearest);
-  const fields = POSE_NAMES.map((_, k) =>
+  const fields = POSE_NAMES.map(() =>
     h('input', {
       type: 'text',
       inputmode: 'text',
       autocomplete: 'off',
       spellcheck: 'false',
-      'data-index': k,
-      'data-own-undo': true,
       'aria-describedby': reasonLine.id,
     }),
   );
@@ -77,35 +75,33 @@ export function createAimPanel(page, host) {
     form,
   );
 
-  const toolNow = memo(xyzwprOf);
   const poseOf = memo(poseFromXyzwpr);
   /** What the fields say: the target someone asked for, or the tool while nobody aims. @param {AppState} state */
-  const target = ({ doc, session }) => session.target ?? toolNow(doc.robot, derived.tcp(doc));
+  const target = ({ doc, session }) => session.target ?? derived.xyzwpr(doc);
   const unitOfField = (/** @type {number} */ k) => store.state.doc.robot.units[k < 3 ? 'length' : 'angle'];
 
-  /** @param {string | null} reason @param {HTMLInputElement} [field] */
-  function mark(reason, field) {
-    for (const other of fields) {
-      const isBad = reason !== null && other === field;
-      if (isBad) other.setAttribute('aria-invalid', 'true');
-      else other.removeAttribute('aria-invalid');
-      other.parentElement?.classList.toggle('is-invalid', isBad);
-    }
-    reasonLine.textContent = reason ?? '';
-    reasonLine.hidden = reason === null;
+  /** @param {HTMLInputElement} field @param {string | null} reason */
+  function mark(field, reason) {
+    if (reason) field.setAttribute('aria-invalid', 'true');
+    else field.removeAttribute('aria-invalid');
+    field.parentElement?.classList.toggle('is-invalid', reason !== null);
+    const [first] = fields.flatMap((other) => (isRefused(other) ? [readNumber(other.value).reason ?? ''] : []));
+    reasonLine.textContent = first ?? '';
+    reasonLine.hidden = first === undefined;
   }
+  const isRefused = (/** @type {HTMLInputElement} */ field) => field.getAttribute('aria-invalid') === 'true';
 
   /** The target, unless a field holds no number: that one is then marked. @returns {readonly number[] | null} */
   function read() {
+    for (const field of fields) delete field.dataset.editing;
     for (const field of fields) {
       const { reason } = readNumber(field.value);
       if (reason === null) continue;
-      mark(reason, field);
+      mark(field, reason);
       announce(reason);
       field.focus();
       return null;
     }
-    mark(null);
     return target(store.state);
   }
 
@@ -132,17 +128,24 @@ export function createAimPanel(page, host) {
     event.preventDefault();
     aimThere();
   });
-  $(form).on('input', 'input', ({ currentTarget }) => {
-    const { value, reason } = readNumber(currentTarget.value);
-    if (reason !== null) return; // said when the person asks to move
-    mark(null);
-    ask(Number(currentTarget.dataset.index), value);
+  $(form).on('input', 'input', ({ currentTarget: field }) => {
+    field.dataset.editing = '';
+    const { value, reason } = readNumber(field.value);
+    if (reason !== null) return; // said when the person leaves the field
+    mark(field, null);
+    ask(fields.indexOf(field), value);
+  });
+  $(form).on('focusout', 'input', ({ currentTarget: field }) => {
+    const wasEdited = 'editing' in field.dataset;
+    delete field.dataset.editing;
+    const { reason } = readNumber(field.value);
+    if (wasEdited && reason !== null) announce(reason);
+    mark(field, reason);
+    show(field, fields.indexOf(field));
   });
   $(follow).on('click', () => {
-    for (const field of fields) field.value = '';
-    mark(null);
     store.dispatch({ type: 'show', change: { target: null, answer: null } });
-    fields.forEach(show);
+    forget();
     announce(TEXT.aim.following);
   });
   $(nearest).on('click', () => {
@@ -154,27 +157,31 @@ export function createAimPanel(page, host) {
 
   /** @param {HTMLInputElement} field @param {number} k */
   function show(field, k) {
-    if (document.activeElement === field || field.getAttribute('aria-invalid') === 'true') return;
+    if ('editing' in field.dataset || isRefused(field)) return;
     const value = target(store.state)[k];
     field.value = store.state.session.target ? editable(value) : poseNumber(value, unitOfField(k));
   }
-  $(form).on('focusout', 'input', ({ currentTarget }) => {
-    // A text that is a number stands as the document would write it; any other waits for the person to mend it.
-    if (readNumber(currentTarget.value).reason === null)
-      currentTarget.value = editable(target(store.state)[Number(currentTarget.dataset.index)]);
-  });
 
+  /** What stands in the fields was meant for another target. */
+  function forget() {
+    fields.forEach((field, k) => {
+      delete field.dataset.editing;
+      mark(field, null);
+      show(field, k);
+      units[k].textContent = unitSign(unitOfField(k));
+      field.setAttribute('aria-label', TEXT.aim.field(POSE_NAMES[k], TEXT.table.unitName[unitOfField(k)]));
+    });
+  }
+
+  let edition = -1;
   addView(
-    ({ doc }) => doc.robot,
-    () => {
-      mark(null);
-      fields.forEach((field, k) => {
-        units[k].textContent = unitSign(unitOfField(k));
-        field.setAttribute('aria-label', TEXT.aim.field(POSE_NAMES[k], TEXT.table.unitName[unitOfField(k)]));
-      });
+    together((state) => [target(state), state.session.edition]),
+    ([, now]) => {
+      if (now !== edition) forget();
+      else fields.forEach(show);
+      edition = now;
     },
   );
-  addView(target, () => fields.forEach(show));
   addView(
     together((state) => [
       state.doc.robot,
@@ -182,18 +189,20 @@ export function createAimPanel(page, host) {
       target(state),
       state.session.target,
       state.session.answer,
+      state.doc.posture,
     ]),
-    ([robot, T_base_tcp, numbers, asked, answer]) => {
+    ([robot, T_world_tcp, numbers, asked, answer, posture]) => {
       const { text, tone, isThere } = differenceInWords(
         robot,
-        T_base_tcp,
+        T_world_tcp,
         poseOf(robot, numbers),
         asked !== null,
         answer,
+        posture,
       );
       verdict.dataset.tone = tone;
       fill(verdict, tone === 'good' ? icon('checkCircle') : tone === 'bad' ? icon('slash') : null, h('span', {}, text));
-      nearest.hidden = !answer || answer.isMet || isThere;
+      nearest.hidden = !answer || answer.isMet || isThere || isAtAnswer(answer, posture);
     },
   );
 }

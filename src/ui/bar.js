@@ -13,6 +13,7 @@ import { LIBRARY, newDocument } from '../model/library.js';
 import { isSliding } from '../model/document.js';
 import { fill, h, spoken } from './dom.js';
 import { icon } from './icons.js';
+import { step } from './page.js';
 import { TEXT } from './strings.js';
 
 /** "6R" or "RRPR": a joint's letter each, a single kind shortened. @param {RobotDoc} robot */
@@ -27,10 +28,10 @@ function typesOf({ joints }) {
  * @param {{ files: Files, theme: Theme }} tools
  */
 export function createBar(page, host, { files, theme }) {
-  const { store, addView, announce } = page;
+  const { addView, announce } = page;
   const robotName = h('span', { class: 'b robot-name' });
   const robotTypes = h('span', { class: 'soft wide-only' });
-  const units = h('span', { class: 'soft wide-only', 'aria-label': TEXT.bar.unitsLabel });
+  const units = h('span', { class: 'soft wide-only' });
   const undo = iconButton('undo', TEXT.bar.undo);
   const redo = iconButton('redo', TEXT.bar.redo);
   const colours = iconButton('circleHalf', TEXT.bar.theme);
@@ -56,23 +57,17 @@ export function createBar(page, host, { files, theme }) {
     colours,
   );
 
-  $(undo).on('click', () => {
-    store.dispatch({ type: 'undo' });
-    announce(TEXT.done.undo);
-  });
-  $(redo).on('click', () => {
-    store.dispatch({ type: 'redo' });
-    announce(TEXT.done.redo);
-  });
-  $(colours).on('click', () => theme.toggle());
+  $(undo).on('click', () => step(page, 'undo'));
+  $(redo).on('click', () => step(page, 'redo'));
+  $(colours).on('click', () => announce(TEXT.bar.themeNow[theme.toggle()]));
 
   addView(
     ({ doc }) => doc.robot,
     (robot) => {
-      robotName.textContent = robot.name || TEXT.panels.robot;
+      robotName.textContent = robot.name || TEXT.unnamedRobot;
       robotTypes.textContent = typesOf(robot);
-      units.textContent = TEXT.bar.unitsOf(robot.units.length, robot.units.angle);
-      document.title = `${robot.name} · ${TEXT.product}`;
+      fill(units, spoken(TEXT.bar.unitsLabel), ' ', TEXT.bar.unitsOf(robot.units.length, robot.units.angle));
+      document.title = TEXT.title(robot.name || TEXT.unnamedRobot);
     },
   );
   addView(
@@ -90,19 +85,21 @@ const iconButton = (name, label) =>
   h('button', { type: 'button', class: 'btn btn-icon', 'aria-label': label, title: label }, icon(name));
 
 /**
- * @param {string | null} label  the accessible name, where the content does not say it
+ * @param {string | null} hint  shown when the pointer rests on it
  * @param {Child[]} content
  * @param {HTMLElement[]} items
  */
-function menu(label, content, items) {
+function menu(hint, content, items) {
   const button = h(
     'button',
-    { type: 'button', class: 'btn', 'data-bs-toggle': 'dropdown', 'aria-expanded': 'false', title: label },
+    { type: 'button', class: 'btn', 'data-bs-toggle': 'dropdown', 'aria-expanded': 'false', title: hint },
     content,
     icon('caret', 'caret'),
   );
   const list = h('ul', { class: 'dropdown-menu menu' }, items);
   const dropdown = h('div', { class: 'dropdown' }, button, list); // Bootstrap looks for the list beside the button
+  // What an item opens may take the focus; if nothing does, it goes back to where the menu was opened.
+  list.addEventListener('click', () => button.focus());
   new Dropdown(button, { popperConfig: { strategy: 'fixed' } });
   return dropdown;
 }
@@ -115,12 +112,13 @@ function item(title, detail, run) {
 }
 
 /** @param {Page} page */
-const robotItems = ({ store }) => [
+const robotItems = ({ opener, announce }) => [
   h('li', {}, h('h2', { class: 'dropdown-header' }, TEXT.bar.library)),
   ...Object.values(LIBRARY).map((robot) =>
-    item(robot.name, TEXT.bar.degreesOfFreedom(robot.joints.length, typesOf(robot)), () =>
-      store.dispatch({ type: 'replace-document', doc: newDocument(robot) }),
-    ),
+    item(robot.name, TEXT.bar.degreesOfFreedom(robot.joints.length, typesOf(robot)), () => {
+      opener.open(newDocument(robot));
+      announce(TEXT.bar.chosen(robot.name));
+    }),
   ),
 ];
 

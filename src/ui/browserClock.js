@@ -13,3 +13,6 @@ export const createBrowserClock = () => ({
     return () => clearTimeout(timer);
   },
 });
+
+/** Now, for people: ISO 8601. */
+export const today = () => new Date().toISOString();

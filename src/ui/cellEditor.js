@@ -12,21 +12,27 @@ import { attempt, newGesture } from './page.js';
 import { readNumber } from './numberText.js';
 
 /**
+ * @template {number | undefined} Value
  * @param {Page} page
  * @param {HTMLInputElement} input
  * @param {object} behaviour
- * @param {(value: number) => Command} behaviour.command  what a typed number does
- * @param {(value: number) => string | null} [behaviour.check]  a reason against it beyond the command's own
- * @param {(value: number) => string} behaviour.onDone  the outcome in words, for a screen reader
+ * @param {(value: Value) => Command} behaviour.command  what a typed number does
+ * @param {(text: string) => { value: Value, reason: null } | { value: null, reason: string }} [behaviour.read]
+ * @param {(value: Value) => string | null} [behaviour.check]  a reason against it beyond the command's own
+ * @param {(value: Value) => string} behaviour.onDone  the outcome in words, for a screen reader
  * @param {(reason: string | null) => void} behaviour.onReason  the text is refused, or is good again
+ * @param {(reason: string | null) => void} [behaviour.onTyped]  why the text will be refused as it stands, quietly
  * @param {() => string} behaviour.text    the document's number, to be edited
- * @param {() => string} behaviour.resting the document's number, as shown while nobody edits
+ * @param {() => string} behaviour.resting the document's number, as shown while nobody edits it
  */
-export function editCell(page, input, { command, check, onDone, onReason, text, resting }) {
+export function editCell(page, input, { command, check, onDone, onReason, text, resting, ...behaviour }) {
+  const read = behaviour.read ?? /** @type {NonNullable<typeof behaviour.read>} */ (readNumber);
   const { store, announce } = page;
-  /** @type {string | null} */
+  /** @type {string | null} of the change that the typing has made so far */
   let gesture = null;
   let begun = '';
+
+  const isRefused = () => input.getAttribute('aria-invalid') === 'true';
 
   /** @param {string | null} reason */
   function mark(reason) {
@@ -35,92 +41,112 @@ export function editCell(page, input, { command, check, onDone, onReason, text, 
     onReason(reason);
   }
 
-  /** @returns {{ value: number, reason: null } | { value: null, reason: string }} */
-  function carryOut() {
-    const read = readNumber(input.value);
-    if (read.reason !== null) return read;
-    gesture ??= newGesture();
-    const reason = check?.(read.value) ?? attempt(page, { ...command(read.value), gesture });
-    return reason === null ? read : { value: null, reason };
+  /** @param {string} typed */
+  function carryOut(typed) {
+    const answer = read(typed);
+    if (answer.reason !== null) return answer;
+    const reason = check?.(answer.value) ?? null;
+    if (reason !== null) return { value: null, reason };
+    const next = gesture ?? newGesture();
+    const against = attempt(page, { ...command(answer.value), gesture: next });
+    if (against !== null) return { value: null, reason: against };
+    gesture = next;
+    return answer;
   }
 
-  function restore() {
-    delete input.dataset.editing;
-    if (gesture) store.dispatch({ type: 'cancel-gesture' });
+  /** The document as it was before the typing, even if something else has changed it in between. */
+  function takeBack() {
+    if (!gesture) return;
+    const isRunning = store.state.gesture?.id === gesture;
+    gesture = null;
+    if (isRunning) store.dispatch({ type: 'cancel-gesture' });
+    else carryOut(begun);
     gesture = null;
   }
 
   function begin() {
-    if (input.getAttribute('aria-invalid') === 'true') return; // the refused text is still there to be mended
-    input.value = begun = text();
+    begun = text();
+    if (isRefused()) return; // the refused text is still there to be mended
+    input.value = begun;
     input.select();
   }
 
-  function typed() {
+  function onInput() {
     input.dataset.editing = '';
-    const { reason } = carryOut();
-    if (reason !== null) restore();
+    const { reason } = carryOut(input.value);
+    if (reason !== null) takeBack();
     else mark(null);
+    behaviour.onTyped?.(reason);
   }
 
   function commit() {
     if (input.value === begun) {
-      restore();
+      takeBack();
+      delete input.dataset.editing;
       mark(null);
       return;
     }
-    const { value, reason } = carryOut();
+    const { value, reason } = carryOut(input.value);
     if (reason !== null) {
-      restore();
       mark(reason);
+      takeBack();
+      delete input.dataset.editing;
       announce(reason);
       return;
     }
     gesture = null;
-    delete input.dataset.editing;
-    store.dispatch({ type: 'end-gesture' });
     begun = input.value;
+    delete input.dataset.editing;
     mark(null);
+    store.dispatch({ type: 'end-gesture' });
     announce(onDone(value));
   }
 
+  function restore() {
+    takeBack();
+    delete input.dataset.editing;
+    mark(null);
+    input.value = begun = text();
+    input.select();
+  }
+
   input.addEventListener('focus', begin);
-  input.addEventListener('input', typed);
+  input.addEventListener('input', onInput);
   input.addEventListener('blur', () => {
     commit();
-    if (input.getAttribute('aria-invalid') !== 'true') input.value = resting();
+    if (!isRefused()) input.value = resting();
   });
   input.addEventListener('keydown', (event) => {
     if (event.key === 'Enter') commit();
-    if (event.key === 'Escape') {
-      event.stopPropagation();
-      restore();
-      mark(null);
-      input.value = begun = text();
-      input.select();
-    }
+    if (event.key !== 'Escape') return;
+    event.stopPropagation();
+    restore();
   });
 
   return {
     input,
+
     /** As if a person had typed it. @param {string} wanted */
     type(wanted) {
       input.value = wanted;
-      typed();
+      onInput();
     },
-    /** The document was exchanged for another: a text that was typed for the old one goes. */
+
+    /** The document was exchanged for another: what was typed for the old one must not reach it. */
     forget() {
       gesture = null;
+      begun = input.value;
       delete input.dataset.editing;
-      if (input.getAttribute('aria-invalid') === 'true') mark(null);
+      if (isRefused()) mark(null);
     },
+
     /** The document changed: show its number, unless a person is typing or a refused text is still to be mended. */
     refresh() {
-      if ('editing' in input.dataset || input.getAttribute('aria-invalid') === 'true') return;
+      if ('editing' in input.dataset || isRefused()) return;
       if (document.activeElement === input) input.value = begun = text();
       else input.value = resting();
     },
   };
 }
 
-/** @typedef {ReturnType<typeof editCell>} CellEditor */
+/** @typedef {{ input: HTMLInputElement, type: (wanted: string) => void, forget: () => void, refresh: () => void }} CellEditor */

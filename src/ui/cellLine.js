@@ -8,7 +8,6 @@
 import { DH_FIELDS, isSliding, quantityOf } from '../model/document.js';
 import { fill, h, symbol } from './dom.js';
 import { plain, withUnit } from './format.js';
-import { readNumber } from './numberText.js';
 import { TEXT } from './strings.js';
 
 /** @type {Record<DhField, string>} */
@@ -74,13 +73,12 @@ export function createCellLine({ store }) {
       this.show(store.state.doc.robot, store.state.session.cell);
     },
 
-    /** While typing: why the text is not a number yet, quietly. @param {string} text */
-    typed(text) {
-      const { reason } = readNumber(text);
+    /** While typing: why the text will be refused as it stands, quietly. @param {string | null} reason */
+    typed(reason) {
       const { robot } = store.state.doc;
       const { cell } = store.state.session;
       if (cell) explain(robot, cell);
-      if (reason !== null && text.trim() !== '') meaning.textContent = reason;
+      if (reason !== null) meaning.textContent = reason;
     },
   };
 }

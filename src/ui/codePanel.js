@@ -9,7 +9,7 @@ import $ from 'jquery/slim';
 import { memo } from '../model/memo.js';
 import { together } from '../model/views.js';
 import { copyText } from './clipboard.js';
-import { fill, h } from './dom.js';
+import { fill, h, keepFocus } from './dom.js';
 import { download } from './download.js';
 import { emptyState } from './emptyState.js';
 import { icon } from './icons.js';
@@ -24,7 +24,7 @@ import { TEXT } from './strings.js';
  * @param {() => string} given.today  ISO 8601
  */
 export function createCodePanel(page, host, { version, today }) {
-  const { store, addView, announce, messages } = page;
+  const { store, addView, announce, clock, messages } = page;
   /** @type {typeof import('../model/controllerCode.js') | null} */
   let writer = null;
   let chosen = 0;
@@ -67,7 +67,17 @@ export function createCodePanel(page, host, { version, today }) {
           'div',
           { class: 'files', role: 'group', 'aria-label': TEXT.code.files },
           code.files.map(({ name }, i) =>
-            h('button', { type: 'button', 'data-file': i, 'aria-pressed': String(i === chosen) }, name),
+            h(
+              'button',
+              {
+                type: 'button',
+                'data-action': 'file',
+                'data-index': i,
+                'data-file': i,
+                'aria-pressed': String(i === chosen),
+              },
+              name,
+            ),
           ),
           h('span', { class: 'grow' }),
           actionButton('copy', 'copy', TEXT.code.copy),
@@ -85,8 +95,7 @@ export function createCodePanel(page, host, { version, today }) {
     .on('click', '[data-action=program]', () => openPanel(page, 'program'))
     .on('click', '[data-file]', ({ currentTarget }) => {
       chosen = Number(currentTarget.dataset.file);
-      draw(store.state.doc);
-      host.querySelector(/** @type {'button'} */ (`[data-file="${chosen}"]`))?.focus();
+      redraw();
     })
     .on('click', '[data-action=copy]', async () => {
       const file = codeOf(store.state.doc)?.files[chosen];
@@ -94,23 +103,30 @@ export function createCodePanel(page, host, { version, today }) {
     })
     .on('click', '[data-action=save]', () => {
       const files = codeOf(store.state.doc)?.files ?? [];
-      for (const { name, text } of files) download(name, text, 'text/plain');
+      for (const { name, text } of files) download(name, text, 'text/plain', clock);
       announce(TEXT.code.saved(files.map(({ name }) => name).join(', ')));
     });
+
+  const redraw = () => keepFocus(host, '[data-action]', () => draw(store.state.doc));
+  /** @type {Promise<void> | null} */
+  let loading = null;
+  const load = () =>
+    import('../model/controllerCode.js')
+      .then((module) => {
+        writer = module;
+        redraw();
+      })
+      .catch((error) => {
+        loading = null;
+        messages.fault(error);
+      });
 
   addView(
     together(({ doc, session }) => [session.tab === 'code', doc.robot, doc.postures]),
     ([isOpen]) => {
       if (!isOpen) return;
-      if (writer) {
-        draw(store.state.doc);
-        return;
-      }
-      draw(store.state.doc);
-      import('../model/controllerCode.js').then((module) => {
-        writer = module;
-        draw(store.state.doc);
-      }, messages.fault);
+      redraw();
+      if (!writer) loading ??= load();
     },
   );
 }

@@ -12,8 +12,9 @@ import { together } from '../model/views.js';
 import { editCell } from './cellEditor.js';
 import { createCellLine } from './cellLine.js';
 import { fill, h, spoken, symbol } from './dom.js';
-import { jointIcon, plain, unitOf, unitSign } from './format.js';
+import { compact, jointIcon, plain, unitOf, unitSign } from './format.js';
 import { icon } from './icons.js';
+import { readLimit, readNumber } from './numberText.js';
 import { TEXT } from './strings.js';
 
 /** @type {readonly { field: JointField, letter: string | null }[]} */
@@ -25,6 +26,10 @@ const COLUMNS = [
   { field: 'lower', letter: null },
   { field: 'upper', letter: null },
 ];
+
+/** How many characters of a number a cell has room for, and how many beside the variable that it adds to. */
+const WIDEST = { theta: 7, d: 8, a: 7, alpha: 6, lower: 5, upper: 5, home: 6 };
+const BESIDE_VARIABLE = 4;
 
 /** The column whose constant the joint value adds to. @param {JointDoc} joint @returns {JointField} */
 const variableOf = (joint) => (isSliding(joint) ? 'd' : 'theta');
@@ -56,11 +61,23 @@ export function createDhTable(page, host) {
     return value === undefined ? '' : plain(value);
   };
 
+  /** What a cell shows while nobody edits it: the number, rounded if it must be to fit. @param {HTMLInputElement} input @param {number} row @param {JointField} field */
+  function rest(input, row, field) {
+    const value = jointAt(row)[field];
+    if (value === undefined) return '';
+    const { text, isRounded } = compact(value, WIDEST[field]);
+    input.title = isRounded ? plain(value) : '';
+    input.classList.toggle('is-rounded', isRounded);
+    input.parentElement?.classList.toggle('is-long', text.length > BESIDE_VARIABLE);
+    return text;
+  }
+
   /** @param {number} row @param {JointField} field */
   function makeCell(row, field) {
     const { units } = store.state.doc.robot;
     const joint = jointAt(row);
     const unit = units[quantityOf(joint, field)];
+    const isLimit = field === 'lower' || field === 'upper';
     const label = TEXT.table.cell(row + 1, TEXT.table.fieldName[field], TEXT.table.unitName[unit]);
     const input = h('input', {
       type: 'text',
@@ -69,17 +86,23 @@ export function createDhTable(page, host) {
       'aria-describedby': cellLine.id,
       autocomplete: 'off',
       spellcheck: 'false',
-      placeholder: TEXT.table.unlimited,
+      placeholder: isLimit ? TEXT.table.unlimited : null,
+      disabled: isLimit && joint.type === 'continuous',
     });
     const cell = editCell(page, input, {
-      command: (value) => ({ type: 'set-joint-field', joint: row, field, value }),
-      onDone: (value) => `${label}: ${plain(value)}`,
+      read: isLimit ? readLimit : readNumber,
+      command: (/** @type {number | undefined} */ value) => ({ type: 'set-joint-field', joint: row, field, value }),
+      onDone: () => `${label}: ${show(row, field) || TEXT.table.unlimited}`,
       onReason: (reason) => cellLine.refuse(input, row, field, reason),
+      onTyped: (reason) => cellLine.typed(reason),
       text: () => show(row, field),
-      resting: () => show(row, field),
+      resting: () => rest(input, row, field),
     });
-    input.addEventListener('focus', () => store.dispatch({ type: 'show', change: { cell: { joint: row, field } } }));
-    input.addEventListener('input', () => cellLine.typed(input.value));
+    input.addEventListener('focus', () => {
+      const place = { joint: row, field };
+      store.dispatch({ type: 'show', change: { cell: place } });
+      cellLine.show(store.state.doc.robot, place); // at once: a screen reader reads the description now
+    });
     return cell;
   }
 
@@ -143,7 +166,9 @@ export function createDhTable(page, host) {
   function go(input, rows, columns) {
     const row = cells.findIndex((list) => list.some((cell) => cell.input === input));
     const column = cells[row].findIndex((cell) => cell.input === input);
-    const next = cells[row + rows]?.[column + columns];
+    let [nextRow, nextColumn] = [row + rows, column + columns];
+    while (cells[nextRow]?.[nextColumn]?.input.disabled) [nextRow, nextColumn] = [nextRow + rows, nextColumn + columns];
+    const next = cells[nextRow]?.[nextColumn];
     next?.input.focus();
     return Boolean(next);
   }

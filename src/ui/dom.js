@@ -42,3 +42,23 @@ export const symbol = (letter, index) =>
 
 /** Words for those who listen, not for those who look. @param {string} text */
 export const spoken = (text) => h('span', { class: 'visually-hidden' }, text);
+
+/**
+ * Redraw without losing the keyboard's place: the same control (by `data-action` and `data-index`) has the focus after, or
+ * else the first that `fallback` finds.
+ * @param {HTMLElement} host
+ * @param {string} fallback  selector
+ * @param {() => void} redraw
+ */
+export function keepFocus(host, fallback, redraw) {
+  const { activeElement } = document;
+  const had = activeElement instanceof HTMLElement && host.contains(activeElement) ? activeElement : null;
+  redraw();
+  if (!had || had.isConnected) return;
+  const { action, index } = had.dataset;
+  const again = [...host.querySelectorAll('[data-action]')].find(
+    (element) => element instanceof HTMLElement && element.dataset.action === action && element.dataset.index === index,
+  );
+  const next = again ?? [...host.querySelectorAll(fallback)].find((element) => element.checkVisibility());
+  if (next instanceof HTMLElement) next.focus();
+}

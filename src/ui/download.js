@@ -1,10 +1,18 @@
 /**
  * Hand a text to the person as a file.
+ * @import { Clock } from '../model/clock.js'
+ */
+
+/** A browser may begin to read what is downloaded a while after it was asked to. */
+const KEPT_SECONDS = 60;
+
+/**
  * @param {string} name
  * @param {string} text
  * @param {string} type  media type
+ * @param {Clock} clock
  */
-export function download(name, text, type) {
+export function download(name, text, type, clock) {
   const url = URL.createObjectURL(new Blob([text], { type: `${type};charset=utf-8` }));
   const link = document.createElement('a');
   link.href = url;
@@ -12,5 +20,5 @@ export function download(name, text, type) {
   document.body.append(link);
   link.click();
   link.remove();
-  URL.revokeObjectURL(url);
+  clock.after(KEPT_SECONDS, () => URL.revokeObjectURL(url));
 }

@@ -1,6 +1,7 @@
 /**
  * What was wrong with a file, in a dialog: what was not done; that the work is as it was; line and reason; what to do.
  *
+ * @import { Announce } from './announce.js'
  * @import { Issue } from '../model/issues.js'
  */
 import Modal from 'bootstrap/js/src/modal.js';
@@ -10,7 +11,6 @@ import { icon } from './icons.js';
 import { TEXT } from './strings.js';
 
 const CONTEXT_LINES = 1;
-const MOST_ISSUES = 20;
 
 /**
  * @param {object} report
@@ -20,10 +20,11 @@ const MOST_ISSUES = 20;
  * @param {readonly Issue[]} report.issues
  * @param {string | null} report.text of the file, for the lines around a fault
  * @param {() => void} report.again   choose another file
+ * @param {Announce} report.announce
  */
-export function showReport({ name, robotName, isOpened, issues, text, again }) {
+export function showReport({ name, robotName, isOpened, issues, text, again, announce }) {
+  const { activeElement: before } = document;
   const title = isOpened ? TEXT.files.openedWith(name) : TEXT.files.notOpened(name);
-  const shown = issues.slice(0, MOST_ISSUES);
   const close = h(
     'button',
     { type: 'button', class: 'btn btn-icon', 'data-bs-dismiss': 'modal', 'aria-label': TEXT.close },
@@ -61,19 +62,26 @@ export function showReport({ name, robotName, isOpened, issues, text, again }) {
         h(
           'ul',
           { class: 'issues' },
-          shown.map((issue) => issueItem(issue, text)),
+          issues.map((issue) => issueItem(issue, text)),
         ),
         h('div', { class: 'row-flex' }, copy, h('span', { class: 'grow' }), done, isOpened ? null : another),
       ),
     ),
   );
-  copy.addEventListener('click', () => copyText([title, ...issues.map(({ message }) => message)].join('\n')));
+  copy.addEventListener('click', async () => {
+    announce(
+      (await copyText([title, ...issues.map(({ message }) => message)].join('\n')))
+        ? TEXT.files.reportCopied
+        : TEXT.pose.copyFailed,
+    );
+  });
   another.addEventListener('click', again);
   document.body.append(dialog);
   const modal = new Modal(dialog);
   dialog.addEventListener('hidden.bs.modal', () => {
     modal.dispose();
     dialog.remove();
+    if (before instanceof HTMLElement) before.focus();
   });
   modal.show();
 }

@@ -12,11 +12,13 @@ import { h } from './dom.js';
 import { fixed } from './format.js';
 import { TEXT } from './strings.js';
 
-const LARGEST_BYTES = 1024 * 1024;
+/** Far more than a robot file may have in any encoding: not even looked at. */
+const LARGEST_BYTES = 16 * 1024 * 1024;
+const MEGABYTE = 1024 * 1024;
 
 /** @param {Page} page */
 export function createFiles(page) {
-  const { store, announce, messages } = page;
+  const { store, opener, announce, clock, messages } = page;
   const input = h('input', {
     type: 'file',
     accept: '.xml,application/xml,text/xml',
@@ -29,19 +31,16 @@ export function createFiles(page) {
   input.addEventListener('change', async () => {
     const [file] = input.files ?? [];
     input.value = '';
-    if (file) await open(file);
+    if (file) await read(file);
   });
 
-  /** Only the file that was chosen last is opened, however long an earlier one takes. */
-  let latest = 0;
-
   /** @param {File} file */
-  async function open(file) {
-    const turn = ++latest;
+  async function read(file) {
+    const isWanted = opener.begin();
     try {
       const { text, issues } = await readText(file);
       const answer = text === null ? { doc: null, issues } : await readDocument(text, issues);
-      if (turn === latest) await arrive(file.name, answer, text);
+      if (isWanted()) await arrive(file.name, answer, text);
     } catch (error) {
       messages.fault(error);
     }
@@ -50,14 +49,15 @@ export function createFiles(page) {
   /** @param {string} name @param {{ doc: Doc | null, issues: Issue[] }} answer @param {string | null} text */
   async function arrive(name, { doc, issues }, text) {
     if (doc) {
-      store.dispatch({ type: 'replace-document', doc });
+      opener.open(doc);
       announce(TEXT.files.opened(name));
     }
     if (issues.length > 0) {
       const { showReport } = await import('./fileReport.js');
       showReport({
         name,
-        robotName: store.state.doc.robot.name,
+        robotName: store.state.doc.robot.name || TEXT.unnamedRobot,
+        announce,
         isOpened: doc !== null,
         issues,
         text,
@@ -68,11 +68,10 @@ export function createFiles(page) {
 
   return {
     choose: () => input.click(),
-    open,
     save() {
       const { doc } = store.state;
       const name = `${fileNameOf(doc.robot.name)}.xml`;
-      download(name, writeRobotXml(doc), 'application/xml');
+      download(name, writeRobotXml(doc), 'application/xml', clock);
       announce(TEXT.files.saved(name));
     },
   };
@@ -95,7 +94,7 @@ async function readText(file) {
   /** @param {string} code @param {string} message @returns {{ text: null, issues: Issue[] }} */
   const refuse = (code, message) => ({ text: null, issues: [{ severity: 'error', code, path: '', message }] });
   if (file.size > LARGEST_BYTES) {
-    return refuse('file-too-large', TEXT.files.tooLarge(TEXT.files.megabytes(fixed(file.size / LARGEST_BYTES, 1))));
+    return refuse('file-too-large', TEXT.files.tooLarge(TEXT.files.megabytes(fixed(file.size / MEGABYTE, 0))));
   }
   const { decodeText } = await import('../io/decodeText.js');
   try {
@@ -105,10 +104,11 @@ async function readText(file) {
   }
 }
 
-/** A name that every file system takes. @param {string} name */
+/** A file's name from a robot's: letters, digits and hyphens. @param {string} name */
 const fileNameOf = (name) =>
   name
     .normalize('NFKD')
+    .replace(/\p{M}/gu, '')
     .replace(/[^\p{L}\p{N}_-]+/gu, '-')
     .replace(/^-+|-+$/g, '')
     .slice(0, 60) || 'robot';

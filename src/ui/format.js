@@ -24,6 +24,23 @@ export function fixed(value, decimals) {
 /** A document's number as it stands there: 671.83, −90, 0. @param {number} value */
 export const plain = (value) => trueMinus(String(Object.is(value, -0) ? 0 : value));
 
+/**
+ * A document's number in no more than so many characters, rounded where it must be: 89.9544, −1.571, 1e9.
+ * @param {number} value
+ * @param {number} characters
+ * @returns {{ text: string, isRounded: boolean }}
+ */
+export function compact(value, characters) {
+  if (plain(value).length <= characters) return { text: plain(value), isRounded: false };
+  for (let digits = characters; digits > 1; digits--) {
+    const rounded = Number(value.toPrecision(digits));
+    const texts = [String(rounded), rounded.toExponential().replace('e+', 'e')];
+    const text = texts.find(({ length }) => length <= characters);
+    if (text !== undefined) return { text: trueMinus(text), isRounded: rounded !== value };
+  }
+  return { text: trueMinus(value.toExponential(0).replace('e+', 'e')), isRounded: true };
+}
+
 /** A number to be edited: all its digits, but not the noise of the last ones. @param {number} value */
 export const editable = (value) => plain(Number(value.toPrecision(EDIT_DIGITS)));
 
@@ -50,3 +67,6 @@ export const jointStep = (unit) => 10 ** -JOINT_DECIMALS[unit];
 
 /** @param {JointDoc} joint @returns {IconName} */
 export const jointIcon = (joint) => (isSliding(joint) ? 'prismatic' : 'revolute');
+
+/** Numbers for other programs: plain minus, all digits but the noise, a blank between them. @param {readonly number[]} values */
+export const copyable = (values) => values.map((value) => String(Number(value.toPrecision(EDIT_DIGITS)))).join(' ');

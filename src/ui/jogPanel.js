@@ -47,7 +47,7 @@ export function createJogPanel(page, host) {
     const { robot, posture } = store.state.doc;
     for (const field of refused.keys()) if (!field.isConnected) refused.delete(field);
     const outside = robot.joints.flatMap((joint, i) =>
-      isInside(joint, posture[i]) ? [] : [TEXT.jog.outside(`J${i + 1}`, ...limitsInWords(joint, robot.units))],
+      isInside(joint, posture[i]) ? [] : [TEXT.jog.outside(`J${i + 1}`, limitsInWords(joint, robot.units))],
     );
     reasonLine.textContent = [...refused.values(), ...outside].join(' ');
     reasonLine.hidden = reasonLine.textContent === '';
@@ -62,13 +62,14 @@ export function createJogPanel(page, host) {
     ([robot, posture, heldJoint, now]) => {
       const limits = robot.joints.map(({ type, lower, upper, home: at }) => [type, lower, upper, at]);
       const wanted = JSON.stringify([robot.name, robot.units, limits]);
+      if (wanted !== shape || now !== edition) rows.forEach((row) => row.forget());
       if (wanted !== shape) {
         rows = robot.joints.map((_, i) => createJogRow(page, robot, i, { reasonId: reasonLine.id, onReason }));
         fill(
           list,
           rows.map(({ row }) => row),
         );
-      } else if (now !== edition) rows.forEach((row) => row.forget());
+      }
       [shape, edition] = [wanted, now];
       rows.forEach((row, i) => row.draw(posture[i], i === heldJoint));
       sayReasons();

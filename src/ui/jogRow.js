@@ -28,13 +28,13 @@ function sliderRange(joint, units) {
   };
 }
 
-/** @param {JointDoc} joint @param {Units} units @returns {[lower: string, upper: string]} */
+/** "−45° to 225°", "at most 160°". @param {JointDoc} joint @param {Units} units */
 export function limitsInWords(joint, units) {
   const unit = unitOf(joint, units);
-  const inWords = (/** @type {number} */ value) =>
-    Number.isFinite(value) ? withUnit(editable(value), unit) : TEXT.jog.noLimit;
   const { lower, upper } = limitsOf(joint);
-  return [inWords(lower), inWords(upper)];
+  const [least, most] = [lower, upper].map((value) => withUnit(editable(value), unit));
+  if (lower === -Infinity) return TEXT.jog.atMost(most);
+  return upper === Infinity ? TEXT.jog.atLeast(least) : TEXT.jog.between(least, most);
 }
 
 /** @param {JointDoc} joint @param {number} value */
@@ -64,7 +64,7 @@ export function createJogRow(page, { joints, units }, index, { reasonId, onReaso
     type: 'range',
     min: least,
     max: most,
-    step: jointStep(unit),
+    step: 'any',
     'aria-label': TEXT.jog.slider(index + 1),
   });
   const field = h('input', {
@@ -73,7 +73,6 @@ export function createJogRow(page, { joints, units }, index, { reasonId, onReaso
     autocomplete: 'off',
     spellcheck: 'false',
     'aria-label': TEXT.jog.field(index + 1, TEXT.table.unitName[unit]),
-    'aria-describedby': reasonId,
   });
   const row = h(
     'div',
@@ -85,10 +84,14 @@ export function createJogRow(page, { joints, units }, index, { reasonId, onReaso
   row.style.setProperty('--h', String(part(homePosture(store.state.doc.robot)[index])));
 
   const cell = editCell(page, field, {
-    command: (value) => ({ type: 'set-joint-value', joint: index, value }),
-    check: (value) => (isInside(joint, value) ? null : TEXT.jog.stops(`J${index + 1}`, ...limitsInWords(joint, units))),
-    onDone: (value) => `J${index + 1}: ${withUnit(jointNumber(value, unit), unit)}`,
-    onReason: (reason) => onReason(field, reason),
+    command: (/** @type {number} */ value) => ({ type: 'set-joint-value', joint: index, value }),
+    check: (value) => (isInside(joint, value) ? null : TEXT.jog.stops(`J${index + 1}`, limitsInWords(joint, units))),
+    onDone: (/** @type {number} */ value) => `J${index + 1}: ${withUnit(jointNumber(value, unit), unit)}`,
+    onReason(reason) {
+      if (reason) field.setAttribute('aria-describedby', reasonId);
+      else field.removeAttribute('aria-describedby');
+      onReason(field, reason);
+    },
     text: () => editable(now()),
     resting: () => jointNumber(now(), unit),
   });
@@ -99,7 +102,7 @@ export function createJogRow(page, { joints, units }, index, { reasonId, onReaso
     const { lower, upper } = limitsOf(joint);
     cell.type(editable(Math.min(upper, Math.max(lower, now() + steps * jointStep(unit)))));
   });
-  watchSlider(page, slider, index);
+  watchSlider(page, slider, index, { least, most, step: jointStep(unit) });
 
   return {
     row,
@@ -119,26 +122,67 @@ export function createJogRow(page, { joints, units }, index, { reasonId, onReaso
 
 /** @typedef {ReturnType<typeof createJogRow>} JogRow */
 
-/** @param {Page} page @param {HTMLInputElement} slider @param {number} index */
-function watchSlider({ store }, slider, index) {
+/** How many steps a key moves the slider; Home and End go to its ends. @type {Record<string, number>} */
+const SLIDER_KEYS = {
+  ...{ ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 100, PageDown: -100 },
+  ...{ Home: -Infinity, End: Infinity },
+};
+
+/**
+ * The range input's own steps count from its lower end, so that one that begins at −89.954° never meets zero: here they
+ * count from zero, and the ends can be reached.
+ * @param {Page} page
+ * @param {HTMLInputElement} slider
+ * @param {number} index
+ * @param {{ least: number, most: number, step: number }} range
+ */
+function watchSlider({ store }, slider, index, { least, most, step }) {
   /** @type {string | null} */
   let gesture = null;
+  let isGivenUp = false; // by Escape; the browser goes on dragging until the hand is off
+  const now = () => store.state.doc.posture[index];
   const hold = (/** @type {boolean} */ isHeld) =>
     store.dispatch({ type: 'show', change: { heldJoint: isHeld ? index : null } });
-  slider.addEventListener('pointerdown', () => hold(true));
-  slider.addEventListener('input', () => {
+
+  /** @param {number} value */
+  function go(value) {
+    const onStep = Number((Math.round(value / step) * step).toPrecision(12));
     gesture ??= newGesture();
     hold(true);
-    store.dispatch({ type: 'set-joint-value', joint: index, value: Number(slider.value), gesture });
-  });
-  slider.addEventListener('change', () => {
+    const inside = Math.min(most, Math.max(least, value <= least || value >= most ? value : onStep));
+    store.dispatch({ type: 'set-joint-value', joint: index, value: inside, gesture });
+  }
+  function end() {
     if (gesture) store.dispatch({ type: 'end-gesture' });
     gesture = null;
+  }
+
+  slider.addEventListener('pointerdown', () => {
+    isGivenUp = false;
+    hold(true);
   });
-  for (const end of ['pointerup', 'pointercancel', 'blur']) slider.addEventListener(end, () => hold(false));
+  slider.addEventListener('input', () => {
+    if (isGivenUp) slider.value = String(now());
+    else go(Number(slider.value));
+  });
+  slider.addEventListener('change', end);
+  for (const name of ['pointerup', 'pointercancel', 'blur']) {
+    slider.addEventListener(name, () => {
+      isGivenUp = false;
+      end();
+      hold(false);
+    });
+  }
   slider.addEventListener('keydown', (event) => {
-    if (event.key !== 'Escape' || !gesture) return;
-    gesture = null;
-    store.dispatch({ type: 'cancel-gesture' });
+    if (event.key === 'Escape' && gesture) {
+      gesture = null;
+      isGivenUp = true;
+      store.dispatch({ type: 'cancel-gesture' });
+    }
+    const steps = SLIDER_KEYS[event.key];
+    if (steps === undefined || event.ctrlKey || event.altKey || event.metaKey) return;
+    event.preventDefault();
+    go(now() + steps * step);
   });
+  slider.addEventListener('keyup', end); // however long a key is held, it is one step to undo
 }

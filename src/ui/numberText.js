@@ -20,3 +20,10 @@ export function readNumber(text) {
   if (!(Math.abs(value) <= LARGEST_NUMBER)) return { value: null, reason: TEXT.number.tooLarge };
   return { value, reason: null };
 }
+
+/**
+ * The same for a limit, which may be taken away.
+ * @param {string} text
+ * @returns {{ value: number | undefined, reason: null } | { value: null, reason: string }}
+ */
+export const readLimit = (text) => (text.trim() === '' ? { value: undefined, reason: null } : readNumber(text));

@@ -3,6 +3,7 @@
  *
  * @import { Announce } from './announce.js'
  * @import { Messages } from './messages.js'
+ * @import { Opener } from './opener.js'
  * @import { Clock } from '../model/clock.js'
  * @import { Command } from '../model/commands.js'
  * @import { Derived } from '../model/derived.js'
@@ -17,8 +18,10 @@
  * @property {Clock} clock
  * @property {Announce} announce
  * @property {Messages} messages
+ * @property {Opener} opener
  */
 import { refusal } from '../model/refusals.js';
+import { TEXT } from './strings.js';
 
 /** @type {readonly Tab[]} */
 export const TABS = ['robot', 'program', 'code'];
@@ -34,6 +37,20 @@ export const PANELS = ['robot', 'jog', 'aim', 'program', 'code'];
 export function openPanel({ store }, panel) {
   const tab = TABS.find((name) => name === panel);
   store.dispatch({ type: 'show', change: tab ? { panel, tab } : { panel } });
+  const openers = [...document.querySelectorAll(`[data-opens=${panel}]`)];
+  const seen = openers.find((element) => element.checkVisibility());
+  if (seen instanceof HTMLElement) seen.focus(); // the button that asked may be on the panel that has just closed
+}
+
+/**
+ * One step back or forward, said aloud if there was one.
+ * @param {Page} page
+ * @param {'undo' | 'redo'} type
+ */
+export function step({ store, announce }, type) {
+  const before = store.state;
+  store.dispatch({ type });
+  if (store.state !== before) announce(TEXT.done[type]);
 }
 
 /**

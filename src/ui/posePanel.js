@@ -4,11 +4,9 @@
  * @import { Page } from './page.js'
  */
 import $ from 'jquery/slim';
-import { xyzwprOf } from '../model/aim.js';
-import { memo } from '../model/memo.js';
 import { copyText } from './clipboard.js';
 import { fill, h } from './dom.js';
-import { poseNumber, unitSign, withUnit } from './format.js';
+import { copyable, poseNumber, unitSign, withUnit } from './format.js';
 import { icon } from './icons.js';
 import { TEXT } from './strings.js';
 
@@ -47,19 +45,16 @@ export function createPosePanel({ store, addView, derived, announce }, host) {
     ),
   );
 
-  const values = memo(xyzwprOf);
-  const shown = () => values(store.state.doc.robot, derived.tcp(store.state.doc));
+  const shown = () => derived.xyzwpr(store.state.doc);
   const unitFor = (/** @type {number} */ k) => store.state.doc.robot.units[k < 3 ? 'length' : 'angle'];
 
   $(copy).on('click', async () => {
-    const text = shown()
-      .map((value) => String(Number(value.toPrecision(12))))
-      .join(' ');
+    const text = copyable(shown());
     announce((await copyText(text)) ? TEXT.pose.copied : TEXT.pose.copyFailed);
   });
 
   addView(
-    ({ doc }) => values(doc.robot, derived.tcp(doc)),
+    ({ doc }) => derived.xyzwpr(doc),
     (numbers) =>
       numbers.forEach((value, k) => {
         outputs[k].value = poseNumber(value, unitFor(k));

@@ -6,7 +6,7 @@
  */
 import $ from 'jquery/slim';
 import { together } from '../model/views.js';
-import { fill, h } from './dom.js';
+import { fill, h, keepFocus } from './dom.js';
 import { emptyState } from './emptyState.js';
 import { jointNumber, unitOf, withUnit } from './format.js';
 import { icon } from './icons.js';
@@ -35,6 +35,7 @@ export function createProgramPanel(page, host) {
     reasonLine.hidden = reason === null;
     if (reason !== null) announce(reason);
   }
+  const postureOf = (/** @type {HTMLElement} */ { dataset }) => store.state.doc.postures[Number(dataset.index)];
 
   $(host)
     .on('click', '[data-action=record]', () => {
@@ -44,53 +45,87 @@ export function createProgramPanel(page, host) {
       if (reason === null && added) announce(TEXT.program.recorded(added.id));
     })
     .on('click', '[data-action=go]', ({ currentTarget }) => {
-      const { q } = store.state.doc.postures[Number(currentTarget.dataset.index)];
+      const { id, q } = postureOf(currentTarget);
       store.dispatch({ type: 'set-posture', posture: q });
+      announce(TEXT.program.went(id));
     })
     .on('click', '[data-action=remove]', ({ currentTarget }) => {
+      const { id } = postureOf(currentTarget);
       store.dispatch({ type: 'remove-posture', index: Number(currentTarget.dataset.index) });
-      say(null);
-      record.focus();
+      announce(TEXT.program.removed(id));
     })
-    .on('click', '[data-action=code]', () => openPanel(page, 'code'))
-    .on('change', 'input', ({ currentTarget }) => {
-      const index = Number(currentTarget.dataset.index);
-      const reason = attempt(page, { type: 'rename-posture', index, id: currentTarget.value.trim() });
-      if (reason === null) currentTarget.removeAttribute('aria-invalid');
-      else currentTarget.setAttribute('aria-invalid', 'true');
-      say(reason);
-    })
+    .on('click', '[data-action=code]', () => openPanel(page, 'code'));
+
+  $(host)
+    .on('input', 'input', ({ currentTarget }) => void (currentTarget.dataset.editing = ''))
+    .on('change', 'input', ({ currentTarget }) => rename(currentTarget))
     .on('keydown', 'input', ({ key, currentTarget }) => {
-      if (key === 'Enter') currentTarget.blur();
+      if (key === 'Enter') rename(currentTarget);
       if (key !== 'Escape') return;
-      currentTarget.value = store.state.doc.postures[Number(currentTarget.dataset.index)].id;
+      delete currentTarget.dataset.editing;
       currentTarget.removeAttribute('aria-invalid');
+      currentTarget.value = postureOf(currentTarget).id;
       say(null);
     });
 
+  /** @param {HTMLInputElement} input */
+  function rename(input) {
+    delete input.dataset.editing;
+    const id = input.value.trim();
+    const isNew = id !== postureOf(input).id;
+    const reason = attempt(page, { type: 'rename-posture', index: Number(input.dataset.index), id });
+    if (reason === null) input.removeAttribute('aria-invalid');
+    else input.setAttribute('aria-invalid', 'true');
+    say(reason);
+    if (reason === null && isNew) announce(TEXT.program.renamed(id));
+  }
+
+  function rebuild() {
+    const { robot, postures } = store.state.doc;
+    say(null);
+    record.hidden = postures.length === 0;
+    if (postures.length === 0) {
+      fill(content, emptyState(TEXT.program.empty, TEXT.program.emptyDetail, recordButton('btn-primary')));
+      return;
+    }
+    const rows = postures.map((posture, i) => row(posture, i, robot));
+    fill(
+      content,
+      h('table', { class: 'moves', 'aria-label': TEXT.program.title }, head(robot), h('tbody', {}, rows)),
+      postures.length === 1
+        ? h('p', { class: 'soft sm inset' }, TEXT.program.one)
+        : h(
+            'div',
+            { class: 'actions inset' },
+            h('button', { type: 'button', class: 'btn btn-primary', 'data-action': 'code' }, TEXT.program.toCode),
+          ),
+    );
+  }
+
+  /** A new name alone leaves every element where it is: the press that ended the typing may be on one of them. */
+  function renew() {
+    store.state.doc.postures.forEach(({ id }, i) => {
+      for (const element of content.querySelectorAll(`[data-index="${i}"]`)) nameElement(element, id, i);
+    });
+  }
+
+  /** @type {readonly PostureDoc[]} */
+  let shown = [];
+  let shape = '';
   addView(
-    together(({ doc }) => [doc.robot, doc.postures]),
-    ([robot, postures]) => {
-      record.hidden = postures.length === 0;
-      if (postures.length === 0) {
-        fill(content, emptyState(TEXT.program.empty, TEXT.program.emptyDetail, recordButton('btn-primary')));
-        return;
-      }
-      const rows = postures.map((posture, i) => row(posture, i, robot));
-      fill(
-        content,
-        h('table', { class: 'moves', 'aria-label': TEXT.program.title }, head(robot), h('tbody', {}, rows)),
-        postures.length === 1
-          ? h('p', { class: 'soft sm inset' }, TEXT.program.one)
-          : h(
-              'div',
-              { class: 'actions inset' },
-              h('button', { type: 'button', class: 'btn btn-primary', 'data-action': 'code' }, TEXT.program.toCode),
-            ),
-      );
+    together(({ doc, session }) => [doc.postures, doc.robot.units, kindsOf(doc.robot), session.edition]),
+    ([postures, units, kinds, edition]) => {
+      const wanted = [units.length, units.angle, kinds, edition].join();
+      const isSame = wanted === shape && postures.length === shown.length && postures.length > 0;
+      if (isSame && postures.every(({ q }, i) => q === shown[i].q)) renew();
+      else keepFocus(host, '[data-action=record]', rebuild);
+      [shown, shape] = [postures, wanted];
     },
   );
 }
+
+/** @param {RobotDoc} robot */
+const kindsOf = ({ joints }) => joints.map(({ type }) => type).join(' ');
 
 /** @param {'btn-outline' | 'btn-primary'} [look] */
 const recordButton = (look = 'btn-outline') =>
@@ -114,65 +149,46 @@ function head({ joints, units }) {
   );
 }
 
+/** What a control of a row is called, by the posture's name. @param {Element} element @param {string} id @param {number} index */
+function nameElement(element, id, index) {
+  if (element instanceof HTMLInputElement) {
+    if (!('editing' in element.dataset)) element.value = element.title = id;
+    element.setAttribute('aria-label', TEXT.program.name(index + 1));
+    return;
+  }
+  const label = element.getAttribute('data-action') === 'go' ? TEXT.program.go(id) : TEXT.program.remove(id);
+  element.setAttribute('aria-label', label);
+  element.setAttribute('title', label);
+}
+
 /** @param {PostureDoc} posture @param {number} index @param {RobotDoc} robot */
 function row({ id, q }, index, { joints, units }) {
   const numbers = joints.map((joint, i) => jointNumber(q[i], unitOf(joint, units)));
   const inWords = joints.map((joint, i) => withUnit(numbers[i], unitOf(joint, units))).join(', ');
+  const field = h('input', {
+    class: 'name-field',
+    ...{ 'data-action': 'name', 'data-index': index, 'aria-describedby': 'program-reason' },
+    ...{ autocomplete: 'off', spellcheck: 'false', maxlength: 64 },
+  });
+  const button = (/** @type {'go' | 'remove'} */ action) =>
+    h(
+      'button',
+      { type: 'button', class: 'btn btn-icon', 'data-action': action, 'data-index': index },
+      icon(action === 'go' ? 'target' : 'trash'),
+    );
+  const controls = [field, button('go'), button('remove')];
+  for (const control of controls) nameElement(control, id, index);
+  const values = h(
+    'div',
+    { class: 'values' },
+    numbers.map((number) => h('span', {}, number)),
+  );
   return h(
     'tr',
     {},
     h('td', {}, String(index + 1)),
-    h(
-      'td',
-      {},
-      h('input', {
-        class: 'name-field',
-        value: id,
-        'data-index': index,
-        'data-own-undo': true,
-        'aria-label': TEXT.program.name(index + 1),
-        'aria-describedby': 'program-reason',
-        autocomplete: 'off',
-        spellcheck: 'false',
-        maxlength: 64,
-      }),
-    ),
-    h(
-      'td',
-      { class: 'soft', title: inWords },
-      h(
-        'div',
-        { class: 'values' },
-        numbers.map((number) => h('span', {}, number)),
-      ),
-    ),
-    h(
-      'td',
-      {},
-      h(
-        'button',
-        {
-          type: 'button',
-          class: 'btn btn-icon',
-          'data-action': 'go',
-          'data-index': index,
-          'aria-label': TEXT.program.go(id),
-          title: TEXT.program.go(id),
-        },
-        icon('target'),
-      ),
-      h(
-        'button',
-        {
-          type: 'button',
-          class: 'btn btn-icon',
-          'data-action': 'remove',
-          'data-index': index,
-          'aria-label': TEXT.program.remove(id),
-          title: TEXT.program.remove(id),
-        },
-        icon('trash'),
-      ),
-    ),
+    h('td', {}, field),
+    h('td', { class: 'soft', title: inWords }, values),
+    h('td', {}, controls.slice(1)),
   );
 }

@@ -3,11 +3,11 @@
  *
  * @import { Page } from './page.js'
  * @import { ManualClock } from '../model/clock.js'
- * @import { Doc } from '../model/document.js'
  */
 import { writeRobotXml } from '../io/robotXmlWriter.js';
 import { aim } from '../model/aim.js';
 import { LIBRARY, newDocument } from '../model/library.js';
+import { poseFromRows, rowsOf } from '../model/poseRows.js';
 
 /**
  * @param {Page} page
@@ -15,10 +15,7 @@ import { LIBRARY, newDocument } from '../model/library.js';
  * @param {Promise<void>} given.ready  the page stands and its first frame is drawn
  * @param {ManualClock | null} given.clock  what moves the page's time, where nothing else does
  */
-export function createScripting({ store, derived }, { ready, clock }) {
-  /** @param {Doc} doc */
-  const replace = (doc) => store.dispatch({ type: 'replace-document', doc });
-
+export function createScripting({ store, derived, opener }, { ready, clock }) {
   return {
     ready,
     clock,
@@ -30,7 +27,7 @@ export function createScripting({ store, derived }, { ready, clock }) {
     async load(robotIdOrXml) {
       const text = String(robotIdOrXml);
       if (Object.hasOwn(LIBRARY, text)) {
-        replace(newDocument(LIBRARY[text]));
+        opener.open(newDocument(LIBRARY[text]));
         return;
       }
       if (!text.trimStart().startsWith('<')) {
@@ -38,6 +35,7 @@ export function createScripting({ store, derived }, { ready, clock }) {
           `Expected one of ${Object.keys(LIBRARY).join(', ')} or a robot file, got "${text.slice(0, 80)}".`,
         );
       }
+      const isWanted = opener.begin();
       const { readRobotXml } = await import('../io/robotXml.js');
       const { doc, issues } = readRobotXml(text);
       if (!doc)
@@ -47,7 +45,8 @@ export function createScripting({ store, derived }, { ready, clock }) {
             .map(({ message }) => message)
             .join(' '),
         );
-      replace(doc);
+      if (!isWanted()) throw new Error('Another document was opened in the meantime.');
+      opener.open(doc);
     },
 
     /** The robot as it is in the document. */
@@ -60,7 +59,10 @@ export function createScripting({ store, derived }, { ready, clock }) {
     joints: () => [...store.state.doc.posture],
 
     /** @param {ArrayLike<number>} values  in document units; not held inside the limits */
-    setJoints: (values) => store.dispatch({ type: 'set-posture', posture: Array.from(values) }),
+    setJoints(values) {
+      const posture = values !== null && typeof values === 'object' ? Array.from(values) : values;
+      store.dispatch({ type: 'set-posture', posture });
+    },
 
     /** The pose of the TCP: 4 rows of 4 numbers, metres. */
     pose: () => rowsOf(derived.tcp(store.state.doc)),
@@ -71,7 +73,7 @@ export function createScripting({ store, derived }, { ready, clock }) {
      */
     solve(pose) {
       const { doc } = store.state;
-      const { posture, isMet, result } = aim(doc, derived.chain(doc), poseOf(pose));
+      const { posture, isMet, result } = aim(doc, derived.chain(doc), poseFromRows(pose));
       if (isMet) store.dispatch({ type: 'set-posture', posture });
       return { ...result, q: [...posture], moved: isMet };
     },
@@ -79,15 +81,4 @@ export function createScripting({ store, derived }, { ready, clock }) {
     undo: () => store.dispatch({ type: 'undo' }),
     redo: () => store.dispatch({ type: 'redo' }),
   };
-}
-
-/** @param {Float64Array} T */
-const rowsOf = (T) => [0, 1, 2, 3].map((row) => [0, 1, 2, 3].map((column) => T[4 * column + row]));
-
-/** @param {readonly (readonly number[])[]} rows @returns {Float64Array} */
-function poseOf(rows) {
-  if (!Array.isArray(rows) || rows.length !== 4 || !rows.every((row) => row?.length === 4)) {
-    throw new RangeError('Expected a pose as 4 rows of 4 numbers, in metres.');
-  }
-  return Float64Array.from({ length: 16 }, (_, k) => rows[k % 4][Math.floor(k / 4)]);
 }

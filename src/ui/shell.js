@@ -35,7 +35,7 @@ export function createShell() {
     rooms.bar,
     h('aside', { class: 'side left', 'aria-label': TEXT.panels.left }, rooms.tablist, Object.values(rooms.tabs)),
     rooms.view,
-    h('aside', { class: 'side right', 'aria-label': TEXT.panels.right }, rooms.pose, rooms.jog, rooms.aim),
+    h('aside', { class: 'side right', 'aria-label': TEXT.panels.right }, rooms.jog, rooms.pose, rooms.aim),
     rooms.dock,
     rooms.notices,
   );
@@ -64,14 +64,14 @@ export function runPanels(page, { app, tablist, tabs, dock }) {
   const tabButtons = TABS.map((tab) =>
     h(
       'button',
-      { type: 'button', role: 'tab', id: `tab-${tab}`, 'aria-controls': `panel-${tab}`, 'data-tab': tab },
+      { type: 'button', role: 'tab', id: `tab-${tab}`, 'aria-controls': `panel-${tab}`, 'data-opens': tab },
       TEXT.panels[tab],
     ),
   );
   tablist.append(...tabButtons);
   $(tablist)
-    .on('click', '[data-tab]', ({ currentTarget }) => openPanel(page, currentTarget.dataset.tab))
-    .on('keydown', '[data-tab]', (event) => {
+    .on('click', '[data-opens]', ({ currentTarget }) => openPanel(page, currentTarget.dataset.opens))
+    .on('keydown', '[data-opens]', (event) => {
       const step = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0;
       if (!step) return;
       event.preventDefault();
@@ -82,10 +82,10 @@ export function runPanels(page, { app, tablist, tabs, dock }) {
 
   for (const panel of PANELS) {
     dock.append(
-      h('button', { type: 'button', 'data-panel': panel }, icon(PANEL_ICON[panel]), h('span', {}, TEXT.panels[panel])),
+      h('button', { type: 'button', 'data-opens': panel }, icon(PANEL_ICON[panel]), h('span', {}, TEXT.panels[panel])),
     );
   }
-  $(dock).on('click', '[data-panel]', ({ currentTarget }) => openPanel(page, currentTarget.dataset.panel));
+  $(dock).on('click', '[data-opens]', ({ currentTarget }) => openPanel(page, currentTarget.dataset.opens));
 
   page.addView(
     ({ session }) => session.tab,
@@ -103,7 +103,7 @@ export function runPanels(page, { app, tablist, tabs, dock }) {
     (open) => {
       app.dataset.panel = open;
       for (const button of dock.children) {
-        if (button instanceof HTMLElement && button.dataset.panel === open) button.setAttribute('aria-current', 'true');
+        if (button instanceof HTMLElement && button.dataset.opens === open) button.setAttribute('aria-current', 'true');
         else button.removeAttribute('aria-current');
       }
     },

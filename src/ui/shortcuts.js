@@ -3,17 +3,18 @@
  * @import { Page } from './page.js'
  * @import { Files } from './files.js'
  */
-import { TEXT } from './strings.js';
+import { step } from './page.js';
 
 /**
  * @param {Page} page
  * @param {Files} files
  */
-export function createShortcuts({ store, announce }, files) {
+export function createShortcuts(page, files) {
   document.addEventListener('keydown', (event) => {
     if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
+    if (document.querySelector('.modal.show')) return; // what is behind a dialog stays as it is
     const key = event.key.toLowerCase();
-    const isTyping = event.target instanceof Element && event.target.matches('[data-editing], [data-own-undo]');
+    const isTyping = event.target instanceof Element && event.target.matches('[data-editing]');
     if (key === 's') {
       event.preventDefault();
       files.save();
@@ -22,9 +23,7 @@ export function createShortcuts({ store, announce }, files) {
       files.choose();
     } else if (!isTyping && (key === 'z' || key === 'y')) {
       event.preventDefault();
-      const type = key === 'y' || event.shiftKey ? 'redo' : 'undo';
-      store.dispatch({ type });
-      announce(TEXT.done[type]);
+      step(page, key === 'y' || event.shiftKey ? 'redo' : 'undo');
     }
   });
 }

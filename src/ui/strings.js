@@ -4,6 +4,8 @@
  */
 export const TEXT = {
   product: 'Denavit',
+  unnamedRobot: 'Robot without a name',
+  title: (/** @type {string} */ robot) => `${robot} · Denavit`,
   close: 'Close',
   fault: (/** @type {string} */ message) => `Something broke here: ${message} The rest of the page goes on working.`,
   noWebGl:
@@ -20,6 +22,8 @@ export const TEXT = {
     undo: 'Undo',
     redo: 'Redo',
     theme: 'Colours: light or dark',
+    themeNow: { light: 'Light colours.', dark: 'Dark colours.' },
+    chosen: (/** @type {string} */ robot) => `${robot} is open.`,
     degreesOfFreedom: (/** @type {number} */ n, /** @type {string} */ types) => `${types}, ${n} joints`,
     unitsOf: (/** @type {string} */ length, /** @type {string} */ angle) => `${length} · ${angle}`,
     unitsLabel: 'Units of the document',
@@ -43,7 +47,6 @@ export const TEXT = {
     describe: (/** @type {string} */ robot, /** @type {string} */ pose) =>
       `${robot} in 3-D. ${pose} Arrow keys orbit, plus and minus zoom, F fits.`,
     grid: (/** @type {string} */ step) => `Grid ${step}`,
-    missing: (/** @type {string} */ distance) => distance,
   },
 
   table: {
@@ -91,8 +94,8 @@ export const TEXT = {
         `Link twist: from axis z${sub(i - 1)} to axis z${sub(i)}, about x${sub(i - 1)}.`,
     },
     variable: (/** @type {number} */ i) => `This is the constant part; the joint value q${sub(i)} adds to it.`,
-    lower: 'The joint value may not be less.',
-    upper: 'The joint value may not be more.',
+    lower: 'The joint value may not go below this.',
+    upper: 'The joint value may not go above this.',
     home: 'Where the joint stands at home.',
   },
 
@@ -101,17 +104,18 @@ export const TEXT = {
     home: 'Go to home',
     slider: (/** @type {number} */ joint) => `Joint ${joint}`,
     field: (/** @type {number} */ joint, /** @type {string} */ unit) => `Joint ${joint}, ${unit}`,
-    outside: (/** @type {string} */ joint, /** @type {string} */ lower, /** @type {string} */ upper) =>
-      `${joint} stands outside its limits, ${lower} to ${upper}.`,
-    stops: (/** @type {string} */ joint, /** @type {string} */ lower, /** @type {string} */ upper) =>
-      `${joint} goes from ${lower} to ${upper}.`,
-    noLimit: 'no limit',
+    outside: (/** @type {string} */ joint, /** @type {string} */ limits) =>
+      `${joint} stands outside its limits, ${limits}.`,
+    stops: (/** @type {string} */ joint, /** @type {string} */ limits) => `${joint} stops: ${limits}.`,
+    between: (/** @type {string} */ lower, /** @type {string} */ upper) => `${lower} to ${upper}`,
+    atMost: (/** @type {string} */ upper) => `at most ${upper}`,
+    atLeast: (/** @type {string} */ lower) => `at least ${lower}`,
     atHome: 'The arm is at home.',
   },
 
   pose: {
     title: 'Tool pose',
-    frame: 'in base',
+    frame: 'in world',
     convention: 'FANUC WPR',
     conventionDetail: 'Rz(R) · Ry(P) · Rx(W)',
     copy: 'Copy the pose',
@@ -125,11 +129,13 @@ export const TEXT = {
     field: (/** @type {string} */ name, /** @type {string} */ unit) => `Target ${name}, ${unit}`,
     move: 'Move there',
     follow: 'Take the tool pose',
-    nearest: 'Go to the nearest',
+    nearest: 'Go as near as found',
     following: 'The fields follow the tool. Type a pose to aim at.',
     toGo: (/** @type {string} */ distance, /** @type {string} */ angle) => `${distance} and ${angle} to go.`,
     reached: (/** @type {string} */ distance, /** @type {string} */ angle) => `Reached: ${distance}, ${angle} off.`,
     subspace: (/** @type {string} */ task) => `Met as far as this arm can: ${task}`,
+    asNear: (/** @type {string} */ distance, /** @type {string} */ angle) =>
+      `The arm stands ${distance} and ${angle} off, as near as was found.`,
     wentNearest: 'The arm stands at the nearest posture found.',
   },
 
@@ -157,6 +163,9 @@ export const TEXT = {
     go: (/** @type {string} */ name) => `Move the arm to ${name}`,
     name: (/** @type {number} */ index) => `Name of posture ${index}`,
     remove: (/** @type {string} */ name) => `Delete ${name}`,
+    went: (/** @type {string} */ name) => `The arm is at ${name}.`,
+    removed: (/** @type {string} */ name) => `${name} is deleted.`,
+    renamed: (/** @type {string} */ name) => `It is called ${name} now.`,
     recorded: (/** @type {string} */ name) => `Recorded as ${name}.`,
     one: 'One more posture, and controller code can be written for the motion between them.',
     toCode: 'See the controller code',
@@ -185,7 +194,8 @@ export const TEXT = {
     saved: (/** @type {string} */ name) => `Saved as ${name}.`,
     another: 'Choose another file',
     copyReport: 'Copy report',
-    tooLarge: (/** @type {string} */ size) => `The file has ${size}; a robot file has at most 1 MB.`,
+    reportCopied: 'The report is copied.',
+    tooLarge: (/** @type {string} */ size) => `The file is ${size}; a robot file is at most 1 MB.`,
     unreadable: (/** @type {string} */ reason) => `The browser could not read the file: ${reason}`,
     megabytes: (/** @type {string} */ n) => `${n} MB`,
   },
@@ -194,7 +204,7 @@ export const TEXT = {
     empty: 'A number is needed here, such as 431.8.',
     comma: (/** @type {string} */ mended) => `Decimals are written with a point: ${mended}.`,
     notANumber: (/** @type {string} */ text) => `“${text}” is not a number; expected one such as 431.8.`,
-    tooLarge: 'The number is too large; at most 1 000 000 000.',
+    tooLarge: 'The number is too large; at most 1e9.',
   },
 
   done: { undo: 'Undone.', redo: 'Done again.' },

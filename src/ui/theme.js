@@ -1,16 +1,20 @@
 /**
- * Light or dark: as the system says until a person chooses, then as they chose, also next time. Storage that is
- * forbidden (an embedded page) is no reason to stop.
+ * Light or dark: as the system says until a person chooses, then as they chose, also next time.
  */
+import { recall, remember } from './browserStorage.js';
+
 const KEY = 'denavit.theme';
 
-/** @param {'auto' | 'light' | 'dark'} asked  what the address says */
+/** @param {'auto' | 'light' | 'dark' | null} asked  what the address says, if anything */
 export function createTheme(asked) {
   const root = document.documentElement;
   const dark = matchMedia('(prefers-color-scheme: dark)');
   /** @type {(() => void)[]} */
   const listeners = [];
-  let chosen = asked === 'auto' ? remembered() : asked;
+  const last = recall(KEY);
+  const before = last === 'light' || last === 'dark' ? last : null;
+  /** @type {'light' | 'dark' | null} null: as the system says */
+  let chosen = asked === 'auto' ? null : (asked ?? before);
 
   function apply() {
     root.dataset.bsTheme = chosen ?? (dark.matches ? 'dark' : 'light');
@@ -21,31 +25,14 @@ export function createTheme(asked) {
   return {
     /** @param {() => void} listener  called after each change */
     onChange: (listener) => void listeners.push(listener),
+    /** @returns {'light' | 'dark'} what it is now */
     toggle() {
       chosen = root.dataset.bsTheme === 'dark' ? 'light' : 'dark';
-      remember(chosen);
+      remember(KEY, chosen);
       apply();
+      return chosen;
     },
   };
 }
 
 /** @typedef {ReturnType<typeof createTheme>} Theme */
-
-/** @returns {'light' | 'dark' | null} */
-function remembered() {
-  try {
-    const value = localStorage.getItem(KEY);
-    return value === 'light' || value === 'dark' ? value : null;
-  } catch {
-    return null; // storage is forbidden here: the system decides
-  }
-}
-
-/** @param {string} value */
-function remember(value) {
-  try {
-    localStorage.setItem(KEY, value);
-  } catch {
-    // Storage is forbidden here: the choice lasts as long as the page.
-  }
-}

@@ -4,7 +4,7 @@
  * @import { RobotDoc } from '../model/document.js'
  * @import { AimAnswer } from '../model/aim.js'
  */
-import { gapBetween } from '../model/aim.js';
+import { gapBetween, isAtAnswer } from '../model/aim.js';
 import { fromKernel } from '../model/units.js';
 import { jointNumber, poseNumber, unitOf, withUnit } from './format.js';
 import { quantityOf } from '../model/document.js';
@@ -58,17 +58,26 @@ function limitInWords({ joints, units }, { joint, by }) {
 
 /**
  * @param {RobotDoc} robot
- * @param {Float64Array} T_base_tcp
- * @param {Float64Array} T_base_target
+ * @param {Float64Array} T_world_tcp
+ * @param {Float64Array} T_world_target
  * @param {boolean} isAsked    whether someone aims, or the target follows the tool
  * @param {AimAnswer | null} answer
+ * @param {readonly number[]} posture
  * @returns {{ text: string, tone: 'quiet' | 'good' | 'bad', isThere: boolean }}
  */
-export function differenceInWords(robot, T_base_tcp, T_base_target, isAsked, answer) {
-  const { metres, radians, isHere, isClosed: isThere } = gapBetween(T_base_tcp, T_base_target);
+export function differenceInWords(robot, T_world_tcp, T_world_target, isAsked, answer, posture) {
+  const { metres, radians, isHere, isClosed: isThere } = gapBetween(T_world_tcp, T_world_target);
   if (!isAsked) return { text: TEXT.aim.following, tone: 'quiet', isThere };
   if (isThere) return { text: TEXT.aim.reached(length(robot, metres), angle(robot, radians)), tone: 'good', isThere };
-  if (answer && !answer.isMet) return { text: verdictInWords(robot, answer), tone: 'bad', isThere };
+  if (answer && !answer.isMet) {
+    const stands = TEXT.aim.asNear(length(robot, metres), angle(robot, radians));
+    const isNearest = isAtAnswer(answer, posture);
+    return {
+      text: [verdictInWords(robot, answer), isNearest && stands].filter(Boolean).join(' '),
+      tone: 'bad',
+      isThere,
+    };
+  }
   if (answer?.status === 'subspace' && isHere) return { text: verdictInWords(robot, answer), tone: 'good', isThere };
   return { text: TEXT.aim.toGo(length(robot, metres), angle(robot, radians)), tone: 'quiet', isThere };
 }

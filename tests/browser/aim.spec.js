@@ -29,7 +29,7 @@ test('a target out of reach says by how much, leaves the arm, and offers the nea
   await aimAt(page, { X: 3000 });
   await expect(page.locator('.verdict-line')).toContainText('Out of reach, by at least');
   expect(await tool(page)).toEqual(place);
-  await page.getByRole('button', { name: 'Go to the nearest' }).click();
+  await page.getByRole('button', { name: 'Go as near as found' }).click();
   expect((await tool(page))[0]).toBeGreaterThan(0.8);
   await expect(page.locator('.tag.miss')).toContainText('mm');
 });
@@ -63,4 +63,30 @@ test('the fields follow the tool until someone types, and again when asked', asy
   await expect(x).toHaveValue('400');
   await page.getByRole('button', { name: 'Take the tool pose' }).click();
   await expect(x).toHaveValue('596.30');
+});
+
+test('texts in the target wait to be mended, and tabbing through changes nothing', async ({ page }) => {
+  await open(page);
+  const x = page.getByLabel('Target X, millimetres');
+  await x.focus();
+  for (let i = 0; i < 5; i++) await page.keyboard.press('Tab');
+  await expect(x).toHaveValue('596.30');
+  await x.fill('450,5');
+  await page.keyboard.press('Tab');
+  await expect(x).toHaveAttribute('aria-invalid', 'true');
+  await page.getByLabel('Target Y, millimetres').fill('100');
+  await page.keyboard.press('Tab');
+  await expect(x).toHaveValue('450,5');
+  await expect(page.locator('#aim-reason')).toHaveText('Decimals are written with a point: 450.5.');
+  await page.getByRole('button', { name: 'Move there' }).click();
+  expect(await page.evaluate(() => window.denavit.joints())).toEqual([0, 45, -180, 0, 45, 0]);
+});
+
+test('undo after "Move there" by Enter takes the move back', async ({ page }) => {
+  await open(page);
+  await page.getByLabel('Target X, millimetres').fill('500');
+  await page.keyboard.press('Enter');
+  await expect(page.locator('.verdict-line')).toHaveText('Reached: 0.00 mm, 0.00° off.');
+  await page.keyboard.press('Control+z');
+  expect(await page.evaluate(() => window.denavit.joints())).toEqual([0, 45, -180, 0, 45, 0]);
 });

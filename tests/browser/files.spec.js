@@ -67,7 +67,7 @@ test('a file that is no text, and one that is too large, are refused', async ({ 
   await page.keyboard.press('Escape');
   await expect(page.getByRole('dialog')).toBeHidden();
   await choose(page, 'huge.xml', Buffer.alloc(3_000_000, ' '));
-  await expect(page.getByRole('dialog')).toContainText('a robot file has at most 1 MB');
+  await expect(page.getByRole('dialog')).toContainText('expected at most');
 });
 
 test('two recorded postures become a FANUC pair', async ({ page }) => {
@@ -113,4 +113,29 @@ test('postures are renamed, gone to and deleted; a name that is taken is refused
   await page.getByRole('button', { name: 'Delete p2' }).click();
   await expect(page.getByLabel('Name of posture 2')).toHaveCount(0);
   await settled(page);
+});
+
+test('of two documents on their way the one asked for last wins', async ({ page }) => {
+  await open(page);
+  const name = await page.evaluate(async () => {
+    const { denavit } = window;
+    const slow = denavit.load(denavit.xml()).catch((error) => error.message);
+    await denavit.load('ur5');
+    return [await slow, denavit.model().name];
+  });
+  expect(name).toEqual(['Another document was opened in the meantime.', 'UR5']);
+});
+
+test('a press that ends the typing of a name is not lost', async ({ page }) => {
+  await open(page);
+  await page.getByRole('tab', { name: 'Program' }).click();
+  for (let i = 0; i < 2; i++) await page.getByRole('button', { name: 'Record here' }).click();
+  await page.getByLabel('Name of posture 1').fill('home');
+  const button = page.getByRole('button', { name: 'See the controller code' });
+  await button.hover();
+  await page.mouse.down();
+  await settled(page);
+  await page.mouse.up();
+  await expect(page.getByRole('tab', { name: 'Code' })).toBeFocused();
+  await expect(page.locator('.code')).toContainText("'home'");
 });

@@ -148,6 +148,7 @@ test('an arm is chosen from the library by keys, and undo brings the other back'
   await expect(page.getByRole('button', { name: /UR5/ })).toBeVisible();
   await page.keyboard.press('Control+z');
   await expect(page.getByRole('button', { name: /Puma 560/ })).toBeVisible();
+  await expect(page.getByRole('button', { name: /Puma 560/ })).toBeFocused();
   await page.keyboard.press('Control+Shift+z');
   await expect(page.getByRole('button', { name: /UR5/ })).toBeVisible();
 });

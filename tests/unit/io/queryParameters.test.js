@@ -10,7 +10,7 @@ test('parameters that are given are read, the others are at their defaults', () 
 
 test('a bad or unknown one is reported, and the default stands', () => {
   expect(readQueryParameters('?robot=<b>&cat=1&quality=', SCHEMA)).toEqual({
-    values: { robot: 'puma560', theme: 'auto', quality: 'high', clock: 'browser' },
+    values: { robot: 'puma560', theme: null, quality: 'high', clock: 'browser' },
     refused: [
       { name: 'robot', text: '<b>', initial: 'puma560' },
       { name: 'quality', text: '', initial: 'high' },

@@ -45,10 +45,10 @@ test('jogging compiles nothing', () => {
   const derived = createDerived();
   const before = newDocument(LIBRARY.puma560);
   const chain = derived.chain(before);
-  const frames = derived.frames(before);
+  const tcp = derived.tcp(before);
   const after = applyCommand(before, { type: 'set-joint-value', joint: 1, value: 30 });
   expect(derived.chain(after)).toBe(chain);
-  expect(derived.frames(after)).not.toBe(frames);
+  expect(derived.tcp(after)).not.toBe(tcp);
 });
 
 test('base and tool are part of the chain', () => {

@@ -102,6 +102,21 @@ describe('a session', () => {
   });
 });
 
+test('a limit can be taken away, and only a limit', () => {
+  const state = reduce(startState(puma()), { type: 'set-joint-field', joint: 0, field: 'lower', value: undefined });
+  expect(state.doc.robot.joints[0]).not.toHaveProperty('lower');
+  expect(() => reduce(state, { type: 'set-joint-field', joint: 0, field: 'a', value: undefined })).toThrow(
+    'link length',
+  );
+});
+
+test('a document in the store is frozen, all the way down', () => {
+  const { doc } = reduce(startState(puma()), { type: 'set-joint-field', joint: 1, field: 'a', value: 400 });
+  for (const part of [doc, doc.robot, doc.robot.joints, doc.robot.joints[1], doc.robot.joints[1].link, doc.posture]) {
+    expect(Object.isFrozen(part)).toBe(true);
+  }
+});
+
 test('a new number takes the place of the expression that was typed for the old one', () => {
   const doc = puma();
   const text = { a: 'sqrt(2)*300', d: '1/3' };
@@ -133,6 +148,17 @@ describe('a drag', () => {
       store.dispatch({ type: 'end-gesture' });
     }
     expect(store.state.past).toHaveLength(2);
+  });
+
+  test('that ends where it began has changed nothing, and what could be redone still can', () => {
+    const store = start();
+    store.dispatch(moveFirst(9, 'before'));
+    store.dispatch({ type: 'undo' });
+    const before = store.state.doc;
+    for (const value of [1, 2, 0]) store.dispatch(moveFirst(value, 'drag'));
+    store.dispatch({ type: 'end-gesture' });
+    expect(store.state.doc).toBe(before);
+    expect([store.state.past.length, store.state.future.length]).toEqual([0, 1]);
   });
 
   test('that is cancelled leaves no trace, not even in redo', () => {

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { editable, fixed, jointNumber, plain, poseNumber, withUnit } from '../../../src/ui/format.js';
+import { compact, editable, fixed, jointNumber, plain, poseNumber, withUnit } from '../../../src/ui/format.js';
 import { readNumber } from '../../../src/ui/numberText.js';
 
 describe('a number on the screen', () => {
@@ -22,6 +22,20 @@ describe('a number on the screen', () => {
     expect(jointNumber(-32, 'deg')).toBe('−32.0');
     expect(withUnit('12.0', 'deg')).toBe('12.0°');
     expect(withUnit('80.0', 'mm')).toBe('80.0 mm');
+  });
+
+  test('in a cell is rounded to what fits, and says so', () => {
+    expect(compact(671.83, 7)).toEqual({ text: '671.83', isRounded: false });
+    expect(compact(89.95437383553924, 6)).toEqual({ text: '89.954', isRounded: true });
+    expect(compact(0.34500000000000003, 7)).toEqual({ text: '0.345', isRounded: true });
+    expect(compact(-Math.PI, 6)).toEqual({ text: '−3.142', isRounded: true });
+    expect(compact(1e9, 7)).toEqual({ text: '1e9', isRounded: false });
+    expect(compact(-0.00001, 6)).toEqual({ text: '−1e−5', isRounded: false });
+    for (const value of [123456.789, -123456.789, 1.23456789e-7, -9.87654321e8]) {
+      const { text } = compact(value, 7);
+      expect(text.length).toBeLessThanOrEqual(7);
+      expect(Math.abs((readNumber(text).value ?? 0) / value - 1)).toBeLessThan(0.05);
+    }
   });
 
   test('to be edited has no rounding noise', () => {

@@ -28,7 +28,7 @@ const COLUMNS = [
 ];
 
 /** How many characters of a number a cell has room for, and how many beside the variable that it adds to. */
-const WIDEST = { theta: 7, d: 8, a: 7, alpha: 6, lower: 5, upper: 5, home: 6 };
+const WIDEST = { theta: 7, d: 8, a: 7, alpha: 5, lower: 5, upper: 5, home: 6 };
 const BESIDE_VARIABLE = 4;
 
 /** The column whose constant the joint value adds to. @param {JointDoc} joint @returns {JointField} */

@@ -96,6 +96,11 @@ for (const [width, height] of [
   test(`nothing is cut off at ${width} × ${height}`, async ({ page }) => {
     await page.setViewportSize({ width, height });
     await open(page, 'robot=scara_cobra600');
+    await page.evaluate(async () => {
+      // Numbers as real files have them.
+      const long = window.denavit.xml().replace('a="275" alpha="180"', 'a="275.12345678" alpha="179.91234567"');
+      await window.denavit.load(long.replace('lower="-88" upper="88"', 'lower="-89.954373835539" upper="89.954373835539"'));
+    });
     await settled(page);
     const faults = await page.evaluate(() => {
       const cut = [...document.querySelectorAll('.grid input, .pose output, .topbar > *, .field input')].filter(

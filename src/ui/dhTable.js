@@ -29,6 +29,7 @@ const COLUMNS = [
 
 /** How many characters of a number a cell has room for, and how many beside the variable that it adds to. */
 const WIDEST = { theta: 7, d: 8, a: 7, alpha: 5, lower: 5, upper: 5, home: 6 };
+const WIDEST_MIXED = { ...WIDEST, d: 7, a: 5 }; // where limits have a unit in each row
 const BESIDE_VARIABLE = 4;
 
 /** The column whose constant the joint value adds to. @param {JointDoc} joint @returns {JointField} */
@@ -65,7 +66,7 @@ export function createDhTable(page, host) {
   function rest(input, row, field) {
     const value = jointAt(row)[field];
     if (value === undefined) return '';
-    const { text, isRounded } = compact(value, WIDEST[field]);
+    const { text, isRounded } = compact(value, (table.classList.contains('is-mixed') ? WIDEST_MIXED : WIDEST)[field]);
     input.title = isRounded ? plain(value) : '';
     input.classList.toggle('is-rounded', isRounded);
     input.parentElement?.classList.toggle('is-long', text.length > BESIDE_VARIABLE);

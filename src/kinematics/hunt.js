@@ -28,7 +28,7 @@
 import { descend, prepareSearch } from './dampedLeastSquares.js';
 import { bringInside, fillRandomPosture } from './limits.js';
 import { createRandom } from './random.js';
-import { worstExcess } from './verdict.js';
+import { distanceFromShoulder, worstExcess } from './verdict.js';
 
 /** A posture this little outside its limits (rad, or characteristic lengths) may have a neighbour inside that will do. */
 const NEARLY_INSIDE = 1e-2;
@@ -47,13 +47,12 @@ const SETTLING = 10;
  */
 export function createHunt(chain, T_base_goal, options) {
   const { seed, randomSeed } = options;
-  const away = Math.hypot(...chain.shoulder.map((value, k) => T_base_goal[12 + k] - value));
   return {
     chain,
     search: prepareSearch(chain, T_base_goal, options),
     seed,
     random: createRandom(randomSeed),
-    travel: away + 2 * chain.characteristicLength,
+    travel: distanceFromShoulder(chain, T_base_goal) + 2 * chain.characteristicLength,
     restarts: 0,
     best: Float64Array.from(seed),
     bestCost: Infinity,

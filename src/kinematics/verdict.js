@@ -15,16 +15,21 @@ import { excessOf, isSlide } from './limits.js';
 /** Rounding of a product of frames is some 1e-15 of the numbers in it: three decades of room. */
 const ROUNDING = 1e-12;
 
+/** @param {Chain} chain @param {ArrayLike<number>} T_base_goal */
+export const distanceFromShoulder = ({ shoulder: [x, y, z] }, T_base_goal) =>
+  Math.hypot(T_base_goal[12] - x, T_base_goal[13] - y, T_base_goal[14] - z);
+
 /**
  * How far a goal is beyond what any posture could reach; 0 unless that is certain.
  * @param {Chain} chain
  * @param {ArrayLike<number>} T_base_goal
  * @param {number} positionTolerance
  */
-export function beyondReach({ shoulder, reach }, T_base_goal, positionTolerance) {
-  const goal = [T_base_goal[12], T_base_goal[13], T_base_goal[14]];
-  const beyond = Math.hypot(...goal.map((value, k) => value - shoulder[k])) - reach;
-  const doubt = positionTolerance + ROUNDING * (reach + Math.hypot(...goal) + Math.hypot(...shoulder));
+export function beyondReach(chain, T_base_goal, positionTolerance) {
+  const { shoulder, reach } = chain;
+  const beyond = distanceFromShoulder(chain, T_base_goal) - reach;
+  const far = Math.hypot(T_base_goal[12], T_base_goal[13], T_base_goal[14]);
+  const doubt = positionTolerance + ROUNDING * (reach + far + Math.hypot(shoulder[0], shoulder[1], shoulder[2]));
   return beyond > doubt ? beyond : 0;
 }
 

@@ -7,7 +7,11 @@
  */
 import 'bootstrap/dist/css/bootstrap.min.css';
 import './ui/css/tokens.css';
-import './ui/css/look.css';
+import './ui/css/base.css';
+import './ui/css/table.css';
+import './ui/css/panels.css';
+import './ui/css/view.css';
+import './ui/css/dialogs.css';
 import './ui/css/layout.css';
 import { version } from '../package.json';
 import { SCHEMA, readQueryParameters } from './io/queryParameters.js';

@@ -121,8 +121,6 @@ export function createStage({ host, clock, quality, text, onGridStep = () => {},
     rewrite: scene.rewrite,
     setTheme: () => scene.setSkin(currentSkin()),
     fit,
-    zoomBy: view.zoomBy,
-    setDirection: view.setDirection,
     dispose() {
       isBroken = true; // a frame that was asked for may still come
       scene.dispose();

@@ -148,12 +148,6 @@ export function createView(element, { onChange, onFit }) {
       lookFrom({ ...from, distance });
     },
 
-    /** @param {number} azimuth  radians, from x towards y @param {number} elevation  radians, above the floor */
-    setDirection(azimuth, elevation) {
-      isUntouched = false;
-      lookFrom({ azimuth, elevation, distance: direction().distance });
-    },
-
     dispose() {
       element.removeEventListener('keydown', onKey);
       controls.dispose();

@@ -10,6 +10,7 @@ import './ui/css/tokens.css';
 import './ui/css/base.css';
 import './ui/css/table.css';
 import './ui/css/panels.css';
+import './ui/css/program.css';
 import './ui/css/view.css';
 import './ui/css/dialogs.css';
 import './ui/css/layout.css';

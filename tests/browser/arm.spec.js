@@ -1,6 +1,6 @@
 /** The arm, its table and its joints: what a person changes is what the numbers and the picture show. */
 import { expect, test } from '@playwright/test';
-import { draws, open, picture, settled, shownPose, tool } from './page.js';
+import { draws, expectPicture, open, picture, settled, shownPose, tool } from './page.js';
 
 const A2 = 'Joint 2, link length a, millimetres';
 
@@ -17,14 +17,14 @@ test('a link length typed into the table changes the arm, its pose and its pictu
   expect(longer[0] - place[0]).toBeCloseTo(0.1682 * Math.SQRT1_2, 9);
   expect(longer[2] - place[2]).toBeCloseTo(0.1682 * Math.SQRT1_2, 9);
   await expect(shownPose(page, 'X')).toHaveText('715.24');
-  expect((await picture(page)).equals(before)).toBe(false);
+  await expectPicture(page, before, false);
 
   await page.getByRole('button', { name: 'Undo' }).click();
   expect(await tool(page)).toEqual(place);
   await expect(page.getByLabel(A2)).toHaveValue('431.8');
   await page.mouse.move(0, 0);
   await page.locator('canvas').evaluate((canvas) => canvas.blur());
-  expect((await picture(page)).equals(before)).toBe(true);
+  await expectPicture(page, before);
   await page.getByRole('button', { name: 'Redo' }).click();
   expect(await tool(page)).toEqual(longer);
 });
@@ -141,6 +141,7 @@ test('a still robot costs no frames', async ({ page }) => {
 test('the view turns, moves and zooms by keys, and fits again', async ({ page }) => {
   await open(page);
   await page.locator('canvas').focus();
+  await page.keyboard.press('f');
   const first = await picture(page);
   for (const key of ['ArrowLeft', '+', 'Shift+ArrowUp']) {
     const drawn = await draws(page);
@@ -148,9 +149,9 @@ test('the view turns, moves and zooms by keys, and fits again', async ({ page })
     await settled(page);
     expect(await draws(page), key).toBe(drawn + 1);
   }
-  expect((await picture(page)).equals(first)).toBe(false);
+  await expectPicture(page, first, false);
   await page.keyboard.press('f');
-  expect((await picture(page)).equals(first)).toBe(true);
+  await expectPicture(page, first);
 });
 
 test('the picture comes back after the graphics context was lost', async ({ page }) => {
@@ -167,7 +168,7 @@ test('the picture comes back after the graphics context was lost', async ({ page
     loss?.restoreContext();
     await restored;
   });
-  expect((await picture(page)).equals(before)).toBe(true);
+  await expectPicture(page, before);
 });
 
 for (const robot of ['puma560', 'ur5', 'scara_cobra600', 'planar2r']) {

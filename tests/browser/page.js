@@ -34,6 +34,15 @@ export async function picture(page) {
   throw new Error('The picture does not come to rest.');
 }
 
+/**
+ * The scene comes to look as it did, or to look otherwise. A loaded machine may show an old frame twice before the new one.
+ * @param {Page} page
+ * @param {Buffer} before
+ * @param {boolean} [isSame]
+ */
+export const expectPicture = (page, before, isSame = true) =>
+  expect.poll(async () => (await picture(page)).equals(before), { timeout: 20_000 }).toBe(isSame);
+
 /** Lets some frames pass, and the last picture with them. @param {Page} page */
 export const settled = (page) =>
   page.evaluate(async () => {

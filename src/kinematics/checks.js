@@ -22,3 +22,15 @@ export function requirePosture(dof, q) {
 export function requireRoom(out, length) {
   if (out.length !== length) throw new RangeError(`Expected room for ${length} numbers, got ${out.length}.`);
 }
+
+/** @param {string} name @param {number} value */
+export function requirePositive(name, value) {
+  if (!(value > 0 && value < Infinity)) throw new RangeError(`Expected ${name} to be positive, got ${value}.`);
+}
+
+/** @param {string} name @param {number} value @param {number} [least] */
+export function requireWhole(name, value, least = 0) {
+  if (!(Number.isSafeInteger(value) && value >= least)) {
+    throw new RangeError(`Expected ${name} to be a whole number, got ${value}.`);
+  }
+}

@@ -27,6 +27,7 @@
  * @property {number} maxIterations
  * @property {boolean} isBounded  whether the limits hold
  * @property {TaskName} task
+ * @property {ArrayLike<number>} up  the upright that tasks speak of (task.js)
  * @property {number} spare       weight of what the task leaves free
  * @property {boolean} isSettling  to the very bottom, instead of on to the next start as soon as it is slow
  * @property {Float64Array} q     where the search is
@@ -72,6 +73,8 @@ const LEAPS = 8;
  */
 const searches = [];
 
+const UP = [0, 0, 1];
+
 /** @param {Packed} packed @param {number} dof @returns {Search} */
 const allocateSearch = (packed, dof) => ({
   packed,
@@ -83,6 +86,7 @@ const allocateSearch = (packed, dof) => ({
   maxIterations: 0,
   isBounded: true,
   task: 'pose',
+  up: UP,
   spare: 0,
   isSettling: false,
   q: new Float64Array(dof),
@@ -117,6 +121,7 @@ export function prepareSearch({ packed, dof, characteristicLength }, T_base_goal
   search.maxIterations = options.maxIterations;
   search.isBounded = true;
   search.task = 'pose';
+  search.up = UP;
   search.spare = 0;
   search.isSettling = false;
   search.iterations = 0;
@@ -130,12 +135,12 @@ export function prepareSearch({ packed, dof, characteristicLength }, T_base_goal
  * @returns {boolean} whether the task is met within tolerance; `search.cost` says how far it is
  */
 function measure(search, q) {
-  const { packed, work, goal, task, spare, length, residual: r } = search;
+  const { packed, work, goal, task, up, spare, length, residual: r } = search;
   writeWork(packed, q, work);
   poseDifference(work.tcp, goal, r);
   const distance = Math.sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]);
-  const turn = taskTurn(task, work.tcp, goal, r);
-  if (task !== 'pose') shapeResidual(task, spare, work.tcp, goal, r);
+  const turn = taskTurn(task, up, work.tcp, goal, r);
+  if (task !== 'pose') shapeResidual(task, spare, r);
   r[0] /= length;
   r[1] /= length;
   r[2] /= length;
@@ -149,7 +154,7 @@ function measure(search, q) {
  */
 function linearise({ packed, work, task, spare, length, unit, J, residual: r, gradient }) {
   writeDifferences(packed, work, DEFAULT_STEP.forward, DEFAULT_STEP.forward * length, J);
-  shapeJacobian(task, spare, work.tcp, J);
+  shapeJacobian(task, spare, J);
   for (let i = 0, c = 0; i < unit.length; i++, c += 6) {
     const linear = unit[i] / length;
     J[c] *= linear;

@@ -26,6 +26,7 @@
  * @property {boolean} wasCut  whether a descent to the whole pose ran out of iterations before it came to rest
  */
 import { descend, prepareSearch } from './dampedLeastSquares.js';
+import { uprightOf } from './lesserTasks.js';
 import { bringInside, fillRandomPosture } from './limits.js';
 import { createRandom } from './random.js';
 import { distanceFromShoulder, worstExcess } from './verdict.js';
@@ -47,9 +48,10 @@ const SETTLING = 10;
  */
 export function createHunt(chain, T_base_goal, options) {
   const { seed, randomSeed } = options;
+  const search = prepareSearch(chain, T_base_goal, options);
   return {
     chain,
-    search: prepareSearch(chain, T_base_goal, options),
+    search,
     seed,
     random: createRandom(randomSeed),
     travel: distanceFromShoulder(chain, T_base_goal) + 2 * chain.characteristicLength,
@@ -63,13 +65,15 @@ export function createHunt(chain, T_base_goal, options) {
 /**
  * @param {Hunt} hunt
  * @param {TaskName} task
- * @param {number} restarts
+ * @param {number} from      the number of the first start: 0 is from the seed, the others from anywhere
+ * @param {number} restarts  the number of the last
  * @param {() => boolean} tryFromHere  descends from search.q; true ends the search
  */
-function seek(hunt, task, restarts, tryFromHere) {
+function seek(hunt, task, from, restarts, tryFromHere) {
   const { search, seed, random, travel } = hunt;
   search.task = task;
-  for (let k = 0; k <= restarts; k++) {
+  if (task !== 'pose') search.up = uprightOf(hunt.chain);
+  for (let k = from; k <= restarts; k++) {
     if (k === 0) {
       search.q.set(seed);
     } else {
@@ -106,9 +110,23 @@ function tryTask({ search }) {
  * @param {Hunt} hunt
  * @param {TaskName} task
  * @param {number} restarts
+ * @param {number} [from]  more than 0 to go on after as many starts
  */
-export const seekInside = (hunt, task, restarts) =>
-  seek(hunt, task, restarts, () => (task === 'pose' ? tryPose(hunt) : tryTask(hunt)));
+export const seekInside = (hunt, task, restarts, from = 0) =>
+  seek(hunt, task, from, restarts, () => (task === 'pose' ? tryPose(hunt) : tryTask(hunt)));
+
+/**
+ * The whole pose, inside the limits, from a posture that somebody proposes.
+ * @param {Hunt} hunt
+ * @param {ArrayLike<number>} q  brought inside the limits first
+ */
+export function seekFrom(hunt, q) {
+  const { search, chain } = hunt;
+  search.task = 'pose';
+  hunt.restarts++;
+  for (let i = 0; i < chain.dof; i++) search.q[i] = bringInside(chain.packed, i, q[i]);
+  return tryPose(hunt);
+}
 
 /**
  * The task, ignoring the limits: of all solutions, how far the one that goes least past them does so. A solution that
@@ -122,7 +140,7 @@ export function seekOutside(hunt, task, restarts) {
   const { search, chain } = hunt;
   /** @type {Excess[]} */
   const found = [];
-  const isInside = seek(hunt, task, restarts, () => {
+  const isInside = seek(hunt, task, 0, restarts, () => {
     search.isBounded = false;
     const isMet = descend(search) === 'met';
     search.isBounded = true;
@@ -135,6 +153,33 @@ export function seekOutside(hunt, task, restarts) {
   });
   found.sort((x, y) => x.weight - y.weight);
   return { isInside, least: found[0] ?? null };
+}
+
+/**
+ * The place alone, inside the limits: how near to it the tool comes. The search stays at the posture for it.
+ * @param {Hunt} hunt
+ * @param {number} restarts
+ * @returns {number} metres; 0 if it is there, within tolerance
+ */
+export function seekPlace(hunt, restarts) {
+  const { search, chain, random, travel } = hunt;
+  const nearest = hunt.best.slice();
+  let least = Infinity;
+  search.task = 'position';
+  for (let k = 0; k <= restarts; k++) {
+    if (k === 0) search.q.set(hunt.best);
+    else fillRandomPosture(search.packed, random, travel, search.q);
+    if (descend(search) === 'met') return 0;
+    if (search.cost < least) {
+      least = search.cost;
+      nearest.set(search.q);
+    }
+  }
+  search.isSettling = true;
+  search.q.set(nearest);
+  const end = descend(search);
+  search.isSettling = false;
+  return end === 'met' ? 0 : Math.sqrt(2 * search.cost) * chain.characteristicLength;
 }
 
 /**

@@ -3,11 +3,15 @@
  * been checked once more by forward kinematics; whatever the status, `q` is inside the limits and the errors are those
  * of `q`. The same question always has the same answer: chance is seeded, and budgets are counts.
  *
- * The first descent starts at the seed, so that where it succeeds the answer is near the seed.
+ * Postures are found by descents on the finite-difference Jacobian, the first from the seed. An arm that has a solver for all
+ * its postures (solvers.js) uses it for what descents cannot know: which solution is nearest to the seed, that there is
+ * none, and how little would be missing outside the limits.
  *
  * @import { Chain } from './chain.js'
+ * @import { EveryPosture } from './everyPosture.js'
+ * @import { LesserTask } from './lesserTasks.js'
  * @import { TaskName } from './task.js'
- * @import { LimitVerdict } from './verdict.js'
+ * @import { Excess, LimitVerdict } from './verdict.js'
  *
  * @typedef {object} InverseOptions
  * @property {ArrayLike<number>} [seed]  posture to start from and stay near; else the middle of the limits, 0 where unlimited
@@ -16,39 +20,52 @@
  * @property {number} [positionTolerance]     m
  * @property {number} [orientationTolerance]  rad
  * @property {number} [maxIterations]    of one descent
- *
- * @typedef {object} MetTask   what an arm with fewer than 6 joints can do of a goal
- * @property {Exclude<TaskName, 'pose'>} name
- * @property {readonly TaskPart[]} met
- * @property {readonly TaskPart[]} free
- * @typedef {'position' | 'tool-axis' | 'turn-about-tool-axis' | 'orientation'} TaskPart
+ * @property {boolean} [descentsOnly]    do not ask the arm's solver: the answer is what descents find, near the seed or not
  *
  * @typedef {object} InverseResult
  * @property {'converged' | 'subspace' | 'unreachable' | 'outside-limits' | 'stalled' | 'budget'} status
- *   converged: the whole pose. subspace: the task that is named. unreachable: proven, the goal is beyond the chain's reach.
- *   outside-limits: found, but only by ignoring them. stalled: every descent came to rest short of the goal.
- *   budget: likewise, but some descents were cut off by `maxIterations` before they came to rest.
+ *   converged: the whole pose. subspace: the task that is named. unreachable: it is proven that no posture takes the pose,
+ *   limits or not. outside-limits: there are postures, all of them outside. stalled: every descent came to rest short of the
+ *   goal. budget: likewise, but some descents were cut off by `maxIterations` before they came to rest.
+ * @property {'distance' | 'orientation' | 'limits' | 'joints'} [reason]   what is in the way, unless converged. distance: no
+ *   posture that was found brings the tool to this place. orientation: it can be there, but not so turned. limits: it could,
+ *   if some joint went past its limit. joints: the arm has too few of them for more than the task that it has met.
  * @property {Float64Array} q   the best posture found: the one that meets the task, or else the nearest to the whole pose
  *   by the weighing of dampedLeastSquares.js
  * @property {number} positionError     m, of the whole pose at q
  * @property {number} orientationError  rad, likewise: the angle of the turn that is missing
  * @property {number} iterations  of all descents
  * @property {number} restarts    how often a search started anew, in all searches: for the pose, past the limits, for tasks
- * @property {MetTask} [task]     with subspace; and with outside-limits, if it is not the whole pose that is found there
+ * @property {LesserTask} [task]     with subspace; and with outside-limits, if it is not the whole pose that is found there
  * @property {LimitVerdict} [limit]   with outside-limits
- * @property {number} [beyondReach]   with unreachable, m
+ * @property {number} [shortBy]       with the reason distance: how near to the place the tool was found to come, m
+ * @property {number} [beyondReach]   with the reason distance, where it is proven by the arm's reach that it cannot come nearer; m
  */
-import { requirePosture } from './checks.js';
+import { requirePositive, requirePosture, requireWhole } from './checks.js';
+import { proposePostures, solveEveryPosture } from './everyPosture.js';
 import { tcpPose } from './forward.js';
-import { createHunt, seekInside, seekOutside, settle } from './hunt.js';
+import { createHunt, seekFrom, seekInside, seekOutside, seekPlace, settle } from './hunt.js';
+import { lesserTasks, uprightOf } from './lesserTasks.js';
 import { bringInside, middlePosture, unwindTowards } from './limits.js';
 import { certainTurn } from './parallelAxes.js';
 import { poseDifference, requirePose } from './pose.js';
+import { recognise } from './solvers.js';
 import { taskTurn } from './task.js';
-import { beyondReach, limitsBind } from './verdict.js';
+import { writeBestTurns } from './turns.js';
+import { beyondReach, leastExcess, limitsBind } from './verdict.js';
+import { wayFrom } from './way.js';
 
 /** Starts when the goal is known to be impossible: only the nearest posture is looked for. */
-const NEAREST_RESTARTS = 12;
+const NEAREST_RESTARTS = 7;
+
+/** Starts before the arm's solver is asked whether there is anything to be found: the quick ones cost less than a start. */
+const RESTARTS_BEFORE = { quick: 2, slow: 12 };
+
+/**
+ * A goal missed by less than this (radians, arm lengths), or by less than so many tolerances, may be within tolerance of a
+ * posture though no posture meets it exactly: there the solver's word is not taken, and descents decide.
+ */
+const BORDER = { least: 1e-6, tolerances: 100 };
 
 /** A goal no farther beyond reach than this share of it may be a slide's limit's fault; one that is farther, nobody's. */
 const SLIDE_SHORTAGE = 0.25;
@@ -56,26 +73,14 @@ const SLIDE_SHORTAGE = 0.25;
 /** Starts when limits are ignored: there are at most 16 solutions, and the one least outside is wanted. */
 const OUTSIDE_RESTARTS = 50;
 
-/** From the richest to the poorest: an arm that cannot meet one is asked for the next. @type {readonly MetTask[]} */
-const LESSER_TASKS = [
-  { name: 'position-and-axis', met: ['position', 'tool-axis'], free: ['turn-about-tool-axis'] },
-  { name: 'position', met: ['position'], free: ['orientation'] },
-];
+/** Starts for the place alone, once the pose is given up. */
+const PLACE_RESTARTS = 12;
 
-/** With this many joints or more an arm is meant to meet whole poses, and half an answer is none. */
-const FULL_POSE_JOINTS = 6;
+/** Starts for a task that is the arm's to meet, and rarely fails. */
+const TASK_RESTARTS = 50;
 
-/** @param {string} name @param {number} value */
-function requirePositive(name, value) {
-  if (!(value > 0 && value < Infinity)) throw new RangeError(`Expected ${name} to be positive, got ${value}.`);
-}
-
-/** @param {string} name @param {number} value @param {number} [least] */
-function requireWhole(name, value, least = 0) {
-  if (!(Number.isSafeInteger(value) && value >= least)) {
-    throw new RangeError(`Expected ${name} to be a whole number, got ${value}.`);
-  }
-}
+/** A solution nearer to the seed by less than this (radians, arm lengths) is the same one. */
+const NEARER = 1e-6;
 
 /**
  * @param {Chain} chain
@@ -83,7 +88,7 @@ function requireWhole(name, value, least = 0) {
  */
 function checkedOptions({ packed, dof }, options) {
   const { seed = middlePosture(packed), randomSeed = 1, restarts = 200, maxIterations = 100 } = options;
-  const { positionTolerance = 1e-9, orientationTolerance = 1e-9 } = options;
+  const { positionTolerance = 1e-9, orientationTolerance = 1e-9, descentsOnly = false } = options;
   requirePosture(dof, seed);
   requirePositive('positionTolerance', positionTolerance);
   requirePositive('orientationTolerance', orientationTolerance);
@@ -92,7 +97,7 @@ function checkedOptions({ packed, dof }, options) {
   requireWhole('randomSeed', randomSeed, -Infinity);
   const inside = new Float64Array(dof);
   for (let i = 0; i < dof; i++) inside[i] = bringInside(packed, i, seed[i]);
-  return { seed: inside, randomSeed, restarts, maxIterations, positionTolerance, orientationTolerance };
+  return { seed: inside, randomSeed, restarts, maxIterations, positionTolerance, orientationTolerance, descentsOnly };
 }
 
 /**
@@ -103,9 +108,10 @@ function checkedOptions({ packed, dof }, options) {
  */
 export function inverseKinematics(chain, T_base_goal, options = {}) {
   const settings = checkedOptions(chain, options);
-  const { seed, restarts, positionTolerance, orientationTolerance } = settings;
+  const { seed, restarts, positionTolerance, orientationTolerance, descentsOnly } = settings;
   const hunt = createHunt(chain, requirePose(T_base_goal, 'the goal'), settings);
   const { search } = hunt;
+  const solver = descentsOnly ? null : recognise(chain).solver;
 
   /**
    * What `q` is worth, by nothing but forward kinematics.
@@ -118,9 +124,12 @@ export function inverseKinematics(chain, T_base_goal, options = {}) {
     const difference = poseDifference(T_base_tcp, T_base_goal);
     const [x, y, z, rx, ry, rz] = difference;
     const [positionError, orientationError] = [Math.hypot(x, y, z), Math.hypot(rx, ry, rz)];
-    const isThere = positionError <= positionTolerance;
-    const isPose = isThere && orientationError <= orientationTolerance;
-    const isMet = isThere && taskTurn(task, T_base_tcp, T_base_goal, difference) <= orientationTolerance;
+    const isAtPlace = positionError <= positionTolerance;
+    const isPose = isAtPlace && orientationError <= orientationTolerance;
+    const isMet =
+      isAtPlace &&
+      (task === 'pose' ||
+        taskTurn(task, uprightOf(chain), T_base_tcp, T_base_goal, difference) <= orientationTolerance);
     const result = { q, positionError, orientationError, iterations: search.iterations, restarts: hunt.restarts };
     return { isPose, isMet, result };
   }
@@ -137,47 +146,114 @@ export function inverseKinematics(chain, T_base_goal, options = {}) {
   /** Whether no posture can have the orientation, limits or not. @param {TaskName} task */
   const isHopeless = (task) => certainTurn(chain, T_base_goal, task) > orientationTolerance;
 
-  /** What the search has just met, if that is so. @param {MetTask} [task] @returns {InverseResult | null} */
+  /** What the search has just met, if that is so. @param {LesserTask} [task] @returns {InverseResult | null} */
   function found(task) {
     const { isPose, isMet, result } = judge(search.q.slice(), task?.name ?? 'pose');
     if (isPose) return { status: 'converged', ...result };
-    return task && isMet ? { status: 'subspace', ...result, task } : null;
+    return task && isMet ? { status: 'subspace', reason: 'joints', ...result, task } : null;
   }
 
-  /** The limits are all that is in the way? @param {TaskName} name @param {MetTask} [task] @returns {InverseResult | null} */
+  /** Of some postures those inside the limits, turned towards the seed, the nearest first. @param {Float64Array[]} postures */
+  function insideByWay(postures) {
+    const inside = postures.filter((q) => writeBestTurns(chain, q, seed));
+    return inside.map((q) => ({ q, way: wayFrom(chain, seed, q) })).sort((a, b) => a.way - b.way);
+  }
+
+  /** The pose that the search has just met; or if the arm's solver knows a posture nearer to the seed, there. @returns {InverseResult | null} */
+  function foundNearest() {
+    const first = found();
+    const proposed = first && solver && proposePostures(chain, T_base_goal);
+    if (!first || !proposed) return first;
+    const way = wayFrom(chain, seed, first.q) - NEARER;
+    for (const near of insideByWay(proposed.postures)) {
+      if (near.way >= way) break;
+      const second = seekFrom(hunt, near.q) ? found() : null;
+      if (second && wayFrom(chain, seed, second.q) < way) return second;
+    }
+    return first;
+  }
+
+  /** The limits are all that is in the way? @param {TaskName} name @param {LesserTask} [task] @returns {InverseResult | null} */
   function seekPast(name, task) {
     if (!limitsBind(chain)) return null;
     const { isInside, least } = seekOutside(hunt, name, Math.min(restarts, OUTSIDE_RESTARTS));
     if (isInside) return found(task);
-    if (!least) return null;
-    const { joint, by, bound } = least;
-    return nearest({ status: 'outside-limits', limit: { joint, by, bound }, ...(task && { task }) });
+    return least && onlyOutside(least, task);
   }
 
-  const beyond = beyondReach(chain, T_base_goal, positionTolerance);
-  if (beyond > 0) {
+  /** @param {Excess} excess @param {LesserTask} [task] */
+  function onlyOutside({ joint, by, bound }, task) {
+    return nearest({ status: 'outside-limits', reason: 'limits', limit: { joint, by, bound }, ...(task && { task }) });
+  }
+
+  /**
+   * No posture, limits or not, as far as is known: is it the place, or the orientation there?
+   * @param {boolean} isProven
+   * @returns {InverseResult}
+   */
+  function neither(isProven) {
+    if (hunt.restarts < NEAREST_RESTARTS) seekInside(hunt, 'pose', Math.min(restarts, NEAREST_RESTARTS), 1);
+    const shortBy = seekPlace(hunt, Math.min(restarts, PLACE_RESTARTS));
+    const proof = isProven && /** @type {const} */ ({ status: 'unreachable' });
+    return nearest({ ...proof, ...(shortBy > 0 ? { reason: 'distance', shortBy } : { reason: 'orientation' }) });
+  }
+
+  /** @param {number} beyond  how far the goal is beyond the arm's reach @returns {InverseResult} */
+  function tooFar(beyond) {
     seekInside(hunt, 'pose', Math.min(restarts, NEAREST_RESTARTS));
     // No turn brings the goal nearer, but a slide that is a little too short is a matter of its limit.
     const isLimit = beyond < SLIDE_SHORTAGE * chain.reach && chain.joints.some(({ type }) => type === 'prismatic');
     const outside = isLimit ? seekPast('pose') : null;
     if (outside) return outside;
-    return nearest({ status: 'unreachable', beyondReach: beyond });
+    const shortBy = Math.max(beyond, seekPlace(hunt, 0));
+    return nearest({ status: 'unreachable', reason: 'distance', shortBy, beyondReach: beyond });
   }
-  if (isHopeless('pose')) {
-    seekInside(hunt, 'pose', Math.min(restarts, NEAREST_RESTARTS));
-  } else {
-    if (seekInside(hunt, 'pose', restarts)) return found() ?? nearest({});
-    const outside = seekPast('pose');
-    if (outside) return outside;
+
+  /** What is known of the pose after a few descents in vain. @param {EveryPosture} every */
+  function isCertain({ isComplete, families, postures }) {
+    const border = Math.max(
+      BORDER.least,
+      BORDER.tolerances * Math.max(positionTolerance / chain.characteristicLength, orientationTolerance),
+    );
+    const isMissed = Math.sqrt(2 * hunt.bestCost) > border;
+    const excess = leastExcess(chain, postures);
+    return isComplete && families.length === 0 && isMissed && !(excess && excess.weight < border);
   }
-  const lesser = chain.dof < FULL_POSE_JOINTS ? LESSER_TASKS.filter(({ name }) => !isHopeless(name)) : [];
+
+  /** The whole pose. @returns {InverseResult | 'impossible' | 'not found'} */
+  function wholePose() {
+    if (isHopeless('pose')) return 'impossible';
+    const before = solver
+      ? Math.min(restarts, solver.isQuick ? RESTARTS_BEFORE.quick : RESTARTS_BEFORE.slow)
+      : restarts;
+    if (seekInside(hunt, 'pose', before)) return foundNearest() ?? 'not found';
+    const every = solver && solveEveryPosture(chain, T_base_goal, settings);
+    if (every) {
+      for (const { q } of insideByWay(every.postures)) {
+        const answer = seekFrom(hunt, q) ? found() : null;
+        if (answer) return answer;
+      }
+      if (isCertain(every)) {
+        const excess = leastExcess(chain, every.postures);
+        return excess ? onlyOutside(excess) : 'impossible';
+      }
+      if (seekInside(hunt, 'pose', restarts, before + 1)) return foundNearest() ?? 'not found';
+    }
+    return seekPast('pose') ?? 'not found';
+  }
+
+  const beyond = beyondReach(chain, T_base_goal, positionTolerance);
+  if (beyond > 0) return tooFar(beyond);
+  const whole = wholePose();
+  if (typeof whole !== 'string') return whole;
+  const lesser = lesserTasks(chain).filter(({ name }) => !isHopeless(name));
   for (const task of lesser) {
-    const answer = seekInside(hunt, task.name, restarts) && found(task);
+    const answer = seekInside(hunt, task.name, Math.min(restarts, TASK_RESTARTS)) && found(task);
     if (answer) return answer;
   }
   for (const task of lesser) {
     const answer = seekPast(task.name, task);
     if (answer) return answer;
   }
-  return nearest({});
+  return neither(whole === 'impossible');
 }

@@ -9,17 +9,11 @@ import { linkFrames, tcpPose } from './forward.js';
 import { ROW, SIN_TWIST } from './packed.js';
 import { poseDifference, skewness } from './pose.js';
 
-/** The angle between two directions. @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
-function angleBetween(a, b) {
-  const cross = Math.hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
-  return Math.atan2(cross, a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
-}
-
 /**
  * @param {Chain} chain
  * @returns {number} the joint whose axis all turning joints are parallel to, or −1 if they are not, or none turns
  */
-function leadingJoint({ joints, packed }) {
+export function leadingJoint({ joints, packed }) {
   const first = joints.findIndex(({ type }) => type === 'revolute');
   const last = joints.findLastIndex(({ type }) => type === 'revolute');
   for (let i = first; i < last; i++) if (packed.rows[ROW * i + SIN_TWIST] !== 0) return -1;
@@ -53,15 +47,12 @@ export function certainTurn(chain, T_base_goal, task) {
  */
 function leastTurn(chain, T_base_goal, task) {
   const leader = leadingJoint(chain);
-  if (leader < 0 || task === 'position') return 0;
+  if (leader < 0 || !(task === 'pose' || task === 'position-and-tilt')) return 0;
   const q = new Float64Array(chain.dof);
   const frame = 16 * (chain.convention === 'standard' ? leader : leader + 1);
   const u = linkFrames(chain, q).subarray(frame + 8, frame + 11);
   const T = tcpPose(chain, q);
   const G = T_base_goal;
-  if (task === 'position-and-axis') {
-    return Math.abs(angleBetween([T[8], T[9], T[10]], u) - angleBetween([G[8], G[9], G[10]], u));
-  }
   // The quaternion (cos, v sin) of the turn that is missing, less its part about u (swing–twist decomposition). What is
   // across u is taken as a vector: squares subtracted would leave half the digits, and call possible things impossible.
   const [x, y, z] = poseDifference(T, G).subarray(3);

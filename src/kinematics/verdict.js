@@ -50,6 +50,22 @@ export function worstExcess({ packed, characteristicLength, dof }, q) {
   return worst;
 }
 
+/**
+ * Of several postures, what keeps the one that is least outside from being an answer.
+ * @param {Chain} chain
+ * @param {readonly ArrayLike<number>[]} postures
+ * @returns {Excess | null} null if there is no posture
+ */
+export function leastExcess(chain, postures) {
+  /** @type {Excess | null} */
+  let least = null;
+  for (const q of postures) {
+    const excess = worstExcess(chain, q);
+    if (!least || excess.weight < least.weight) least = excess;
+  }
+  return least;
+}
+
 /** Whether the limits keep any joint from anything: not if every joint turns, and a full turn or more. @param {Chain} chain */
 export const limitsBind = ({ joints }) =>
   joints.some(({ type, lower, upper }) =>

@@ -142,11 +142,20 @@ export const TEXT = {
   /** Why inverse kinematics did not reach the whole pose. */
   verdict: {
     task: {
+      'position-and-tilt': (/** @type {string} */ angle) =>
+        `the position and the tilt of the tool. Its turn about the arm's upright follows from them and differs by ${angle}.`,
       'position-and-axis': (/** @type {string} */ angle) =>
-        `the position and the direction of the tool axis. Its turn about that axis is free and differs by ${angle}.`,
+        `the position and the direction of the tool axis. Its turn about that axis follows from them and differs by ${angle}.`,
+      'position-and-turn': (/** @type {string} */ angle) =>
+        `the position and the turn about the arm's upright. The tilt of the tool is fixed and differs by ${angle}.`,
+      'position-and-pitch': (/** @type {string} */ angle) =>
+        `the position and the pitch of the tool. The rest of its orientation follows from them and differs by ${angle}.`,
       position: (/** @type {string} */ angle) => `the position. The orientation differs by ${angle}.`,
     },
-    unreachable: (/** @type {string} */ by) => `Out of reach, by at least ${by}.`,
+    beyond: (/** @type {string} */ by) => `Out of reach, by at least ${by}.`,
+    distance: (/** @type {string} */ by) =>
+      `Out of reach: the tool was found to come no nearer to this place than ${by}.`,
+    orientation: 'The tool can be at this place, but no posture turns it this way.',
     outsideLimits: (/** @type {string} */ joint, /** @type {string} */ by) =>
       `Only outside the limits: ${joint} would have to go ${by} past its stop.`,
     notFound: (/** @type {string} */ distance, /** @type {string} */ angle) =>

@@ -26,14 +26,14 @@ const angle = ({ units }, radians) =>
 export function verdictInWords(robot, { result }) {
   const distance = length(robot, result.positionError);
   const turn = angle(robot, result.orientationError);
-  const { status, task, beyondReach, limit } = result;
+  const { status, task, limit } = result;
   switch (status) {
     case 'converged':
       return TEXT.aim.reached(distance, turn);
     case 'subspace':
       return TEXT.aim.subspace(TEXT.verdict.task[task?.name ?? 'position'](turn));
     case 'unreachable':
-      return TEXT.verdict.unreachable(length(robot, beyondReach ?? result.positionError));
+      return unreachableInWords(robot, result);
     case 'outside-limits':
       return limit ? limitInWords(robot, limit) : TEXT.verdict.notFound(distance, turn);
     case 'stalled':
@@ -47,6 +47,13 @@ export function verdictInWords(robot, { result }) {
       throw new TypeError(`Unknown status: ${unknown}`);
     }
   }
+}
+
+/** @param {RobotDoc} robot @param {AimAnswer['result']} result */
+function unreachableInWords(robot, { reason, beyondReach, shortBy, positionError }) {
+  if (reason === 'orientation') return TEXT.verdict.orientation;
+  if (beyondReach !== undefined) return TEXT.verdict.beyond(length(robot, beyondReach));
+  return TEXT.verdict.distance(length(robot, shortBy ?? positionError));
 }
 
 /** @param {RobotDoc} robot @param {{ joint: number, by: number }} limit */

@@ -47,11 +47,26 @@ export function expectHonest(
     expect(joints.length).toBeLessThan(6);
     expect(distanceBetween(tcp, goal)).toBeLessThan(positionTolerance * (1 + 1e-6));
     if (task?.met.includes('tool-axis')) expect(tiltBetween(tcp, goal)).toBeLessThan(orientationTolerance * (1 + 1e-6));
+    // for an arm whose first axis is the root's z: how the tool leans, and how much it pitches, is in the third row
+    const lean = Math.hypot(...[0, 1, 2].map((j) => tcp[2][j] - goal[2][j]));
+    if (task?.met.includes('tilt')) expect(lean).toBeLessThan(orientationTolerance * (1 + 1e-6));
+    if (task?.met.includes('pitch'))
+      expect(Math.abs(tcp[2][2] - goal[2][2])).toBeLessThan(orientationTolerance * (1 + 1e-6));
     expect(task?.met).toContain('position');
   }
   expect(task !== undefined).toBe(status === 'subspace' || (status === 'outside-limits' && task !== undefined));
   expect(result.limit !== undefined).toBe(status === 'outside-limits');
-  expect(result.beyondReach !== undefined).toBe(status === 'unreachable');
+  expect(result.reason === undefined).toBe(status === 'converged');
+  expect(result.reason === 'joints').toBe(status === 'subspace');
+  expect(result.reason === 'limits').toBe(status === 'outside-limits');
+  expect(result.shortBy !== undefined).toBe(result.reason === 'distance');
+  if (result.shortBy !== undefined) {
+    // the place was found to be missed by so much; the posture for the whole pose may miss it by more
+    expect(result.shortBy).toBeGreaterThan(0);
+    expect(result.shortBy).toBeLessThanOrEqual(positionError * (1 + 1e-6) + 1e-9);
+    expect(result.shortBy).toBeGreaterThanOrEqual(result.beyondReach ?? 0);
+  }
+  if (result.beyondReach !== undefined) expect([status, result.reason]).toEqual(['unreachable', 'distance']);
   expect(rotationOf(tcp).flat().every(Number.isFinite)).toBe(true);
   return result;
 }

@@ -1,0 +1,75 @@
+/**
+ * All postures for a pose by searching, for arms that no solver knows: descents from everywhere until nothing new has come
+ * up for a long while. It proves nothing, and says so.
+ *
+ * @import { Chain } from './chain.js'
+ * @import { EveryPosture, Tolerances } from './everyPosture.js'
+ */
+import { descend, prepareSearch } from './dampedLeastSquares.js';
+import { isThere } from './everyPosture.js';
+import { isSlide } from './limits.js';
+import { createRandom } from './random.js';
+import { distanceFromShoulder } from './verdict.js';
+import { wayBetween } from './way.js';
+
+/** So many starts in a row without anything new end the search, and so many more for each posture that is known. */
+const PATIENCE = 150;
+const PATIENCE_EACH = 25;
+const MOST_STARTS = 2000;
+const ITERATIONS = 60;
+
+/** A posture found twice agrees to about this (radians, arm lengths), next to a singularity included. */
+const SAME = 1e-5;
+
+/** A posture that stays where it is put, this far away, is not isolated; one that comes back to a tenth of it is. */
+const KICK = 1e-2;
+
+/**
+ * @param {Chain} chain
+ * @param {ArrayLike<number>} T_base_goal
+ * @param {Tolerances & { randomSeed: number }} options
+ * @returns {EveryPosture}
+ */
+export function searchEveryPosture(chain, T_base_goal, options) {
+  const random = createRandom(options.randomSeed);
+  const search = prepareSearch(chain, T_base_goal, { ...options, maxIterations: ITERATIONS });
+  search.isBounded = false;
+  const travel = distanceFromShoulder(chain, T_base_goal) + 2 * chain.characteristicLength;
+  /** @type {EveryPosture} */
+  const found = { postures: [], families: [], isComplete: false, method: 'search' };
+
+  /** Downhill from search.q; the posture that it comes to, if it is one. @returns {Float64Array | null} */
+  function posture() {
+    if (descend(search) !== 'met') return null;
+    const q = search.q.slice();
+    return isThere(chain, T_base_goal, q, options) ? q : null;
+  }
+
+  /** The joints that have moved when the posture is pushed and does not come back. @param {Float64Array} q @returns {number[]} */
+  function looseJoints(q) {
+    for (let i = 0; i < chain.dof; i++) {
+      const unit = isSlide(chain.packed, i) ? chain.characteristicLength : 1;
+      search.q[i] = q[i] + KICK * unit * (random() < 0.5 ? -1 : 1);
+    }
+    const other = posture();
+    if (!other || wayBetween(chain, q, other) < KICK / 10) return [];
+    return [...q.keys()].filter((i) => Math.abs(other[i] - q[i]) > KICK / 100);
+  }
+
+  for (let start = 0, idle = 0; start < MOST_STARTS; start++) {
+    if (++idle > PATIENCE + PATIENCE_EACH * found.postures.length) break;
+    for (let i = 0; i < chain.dof; i++) {
+      search.q[i] = (2 * random() - 1) * (isSlide(chain.packed, i) ? travel : Math.PI);
+    }
+    const q = posture();
+    if (!q || found.postures.some((known) => wayBetween(chain, q, known) < SAME)) continue;
+    const joints = looseJoints(q);
+    if (joints.length === 0) {
+      found.postures.push(q);
+      idle = 0;
+    } else if (found.families.length === 0) {
+      found.families.push({ kind: 'other', q, joints });
+    }
+  }
+  return found;
+}

@@ -1,0 +1,195 @@
+/**
+ * Where two curves of the plane of joint 2 meet (profileCurves.js).
+ * @import { Curve, Pair } from './profileCurves.js'
+ *
+ * @typedef {object} Meeting
+ * @property {number} one    place on the first curve, 0 where it is free
+ * @property {number} two
+ * @property {boolean} isOneFree  the first curve is a single point: any place on it will do
+ * @property {boolean} isTwoFree
+ * @property {boolean} isOverlap  the curves lie on one another: this is one of infinitely many
+ */
+import { pointAt, slopeAt, times } from './profileCurves.js';
+import { doubleTurnRoots, polynomialRoots, quadraticRoots, turnRoots } from './roots.js';
+
+/** Below this (in arm lengths) a curve is a single point. */
+const POINT = 1e-9;
+
+/** An ellipse flatter than this is taken for flat; the error is polished away. */
+const FLAT = 1e-8;
+
+/** What curves may miss each other by and still be said to meet: what comes of it is checked. */
+const PLAUSIBLE = 1e-5;
+
+/** @param {Curve} curve */
+const isPoint = ({ size, width }) => size < POINT && width < POINT;
+
+/** @param {Curve} curve */
+const isFlat = ({ size, width }) => width <= FLAT * size;
+
+/** @param {Pair} a @param {Pair} b @returns {Pair} */
+const less = (a, b) => [a[0] - b[0], a[1] - b[1]];
+
+/**
+ * @param {Curve} one
+ * @param {Curve} two
+ * @returns {Meeting[]}
+ */
+export function meetings(one, two) {
+  if (isPoint(one) || isPoint(two)) return atPoint(one, two);
+  const found = isFlat(two) || isFlat(one) ? alongFlat(one, two) : round(one, two);
+  return found.map((meeting) => (meeting.isOverlap ? meeting : refined(one, two, meeting)));
+}
+
+/** @param {number} a @param {number} b @param {Partial<Meeting>} [more] @returns {Meeting} */
+const meeting = (a, b, more) => ({ one: a, two: b, isOneFree: false, isTwoFree: false, isOverlap: false, ...more });
+
+/**
+ * The places on a curve with `direction · point = value`; null if the curve does not move that way.
+ * @param {Curve} curve
+ * @param {Pair} direction
+ * @param {number} value
+ * @returns {number[] | null}
+ */
+function placesWhere({ kind, start, first, second, size }, direction, value) {
+  const a = times(direction, first);
+  const b = times(direction, second);
+  if (Math.hypot(a, b) <= FLAT * size) return null;
+  const c = value - times(direction, start);
+  return kind === 'turns' ? turnRoots(a, b, c) : quadraticRoots(b, a, -c);
+}
+
+/** The places of a curve that are all but at a point, brought as near as they come. @param {Curve} curve @param {Pair} point */
+function placesAt(curve, point) {
+  const isLevel = curve.second[1] === 0.5 && curve.kind === 'slides' && Math.abs(curve.first[0]) > 0.1;
+  const direction = isLevel ? curve.normal : curve.tangent;
+  return (placesWhere(curve, direction, times(direction, point)) ?? [])
+    .map((place) => {
+      let x = place;
+      for (let i = 0; i < 3; i++) {
+        const slope = slopeAt(curve, x);
+        const square = times(slope, slope);
+        if (square > 1e-8 * curve.size ** 2) x -= times(slope, less(pointAt(curve, x), point)) / square;
+      }
+      return x;
+    })
+    .filter((x) => Math.hypot(...less(pointAt(curve, x), point)) < PLAUSIBLE);
+}
+
+/** @param {Curve} one @param {Curve} two @returns {Meeting[]} */
+function atPoint(one, two) {
+  const [isOne, isTwo] = [isPoint(one), isPoint(two)];
+  const isOneFree = isOne && one.kind !== 'stays';
+  const isTwoFree = isTwo && two.kind !== 'stays';
+  if (isOne && isTwo) {
+    const isMet = Math.hypot(...less(one.start, two.start)) < PLAUSIBLE;
+    return isMet ? [meeting(0, 0, { isOneFree, isTwoFree })] : [];
+  }
+  return isOne
+    ? placesAt(two, one.start).map((x) => meeting(0, x, { isOneFree }))
+    : placesAt(one, two.start).map((x) => meeting(x, 0, { isTwoFree }));
+}
+
+/** How much a curve moves across a flat one. @param {Curve} curve @param {Curve} flat */
+const reachAcross = ({ first, second, size }, { normal }) =>
+  Math.hypot(times(normal, first), times(normal, second)) / size;
+
+/** @param {Curve} one @param {Curve} two @returns {Meeting[]} */
+function alongFlat(one, two) {
+  const isTwoFlat = isFlat(two) && (!isFlat(one) || reachAcross(one, two) >= reachAcross(two, one));
+  const flat = isTwoFlat ? two : one;
+  const other = isTwoFlat ? one : two;
+  const level = times(flat.normal, flat.start);
+  const pair = (/** @type {number} */ there, /** @type {number} */ here, isOverlap = false) =>
+    isTwoFlat ? meeting(there, here, { isOverlap }) : meeting(here, there, { isOverlap });
+  const onFlat = (/** @type {number} */ place) =>
+    placesWhere(flat, flat.tangent, times(flat.tangent, pointAt(other, place))) ?? [];
+  const places = placesWhere(other, flat.normal, level);
+  if (places) return places.flatMap((place) => onFlat(place).map((here) => pair(place, here)));
+  if (Math.abs(times(flat.normal, other.start) - level) > PLAUSIBLE) return [];
+  for (let i = 0; i < 24; i++) {
+    const place = (i * Math.PI) / 12 - Math.PI;
+    const [here] = onFlat(place);
+    if (here !== undefined) return [pair(place, here, true)];
+  }
+  return [];
+}
+
+/** @param {Curve} one @param {Curve} two @returns {Meeting[]} */
+function round(one, two) {
+  if (one.kind === 'turns' && two.kind === 'turns') {
+    return one.width > two.width
+      ? acrossEllipse(one, two).map(([a, b]) => meeting(a, b))
+      : acrossEllipse(two, one).map(([b, a]) => meeting(a, b));
+  }
+  if (one.kind === 'turns') return acrossEllipse(one, two).map(([a, b]) => meeting(a, b));
+  if (two.kind === 'turns') return acrossEllipse(two, one).map(([b, a]) => meeting(a, b));
+  return twoParabolas(one, two);
+}
+
+/**
+ * Maps the ellipse to the unit circle; the other curve, mapped likewise, is on it where the square of its distance from the centre is
+ * one. Everything is multiplied by the determinant, so that a thin ellipse blows nothing up.
+ * @param {Curve} ellipse
+ * @param {Curve} other
+ * @returns {Pair[]} the place on the ellipse, and on the other
+ */
+function acrossEllipse({ start, first, second }, other) {
+  const determinant = first[0] * second[1] - first[1] * second[0];
+  const map = (/** @type {Pair} */ [x, y]) =>
+    /** @type {Pair} */ ([second[1] * x - second[0] * y, first[0] * y - first[1] * x]);
+  const k = map(less(other.start, start));
+  const a = map(other.first);
+  const b = map(other.second);
+  const [kk, ka, kb] = [times(k, k), times(k, a), times(k, b)];
+  const [aa, ab, bb] = [times(a, a), times(a, b), times(b, b)];
+  const places =
+    other.kind === 'turns'
+      ? doubleTurnRoots(kk + (aa + bb) / 2 - determinant ** 2, 2 * ka, 2 * kb, (aa - bb) / 2, ab)
+      : polynomialRoots([kk - determinant ** 2, 2 * ka, aa + 2 * kb, 2 * ab, bb]);
+  return places.map((place) => {
+    const [x, y] = map(less(pointAt(other, place), start));
+    return [Math.atan2(y * Math.sign(determinant), x * Math.sign(determinant)), place];
+  });
+}
+
+/**
+ * Two slides that are not square to the turn between them: the heights give one place from the other.
+ * @param {Curve} one
+ * @param {Curve} two
+ * @returns {Meeting[]}
+ */
+function twoParabolas(one, two) {
+  // place on `one` = m + n · place on `two`
+  const m = (two.start[0] - one.start[0]) / one.first[0];
+  const n = two.first[0] / one.first[0];
+  const a = (n * n - 1) / 2;
+  const b = one.first[1] * n + m * n - two.first[1];
+  const c = one.start[1] - two.start[1] + one.first[1] * m + (m * m) / 2;
+  if (Math.max(Math.abs(a), Math.abs(b)) < POINT) {
+    return Math.abs(c) < PLAUSIBLE ? [meeting(m, 0, { isOverlap: true })] : [];
+  }
+  return quadraticRoots(a, b, c).map((x) => meeting(m + n * x, x));
+}
+
+/** Newton's steps on both places at once, as long as they help. @param {Curve} one @param {Curve} two @param {Meeting} from */
+function refined(one, two, from) {
+  let best = from;
+  let miss = less(pointAt(one, best.one), pointAt(two, best.two));
+  for (let i = 0; i < 4; i++) {
+    const a = slopeAt(one, best.one);
+    const b = slopeAt(two, best.two);
+    const determinant = a[1] * b[0] - a[0] * b[1];
+    if (Math.abs(determinant) < 1e-6 * one.size * two.size) return best;
+    const next = {
+      ...best,
+      one: best.one + (b[1] * miss[0] - b[0] * miss[1]) / determinant,
+      two: best.two + (a[1] * miss[0] - a[0] * miss[1]) / determinant,
+    };
+    const nextMiss = less(pointAt(one, next.one), pointAt(two, next.two));
+    if (!(Math.hypot(...nextMiss) < Math.hypot(...miss) / 2)) return best;
+    best = next;
+    miss = nextMiss;
+  }
+  return best;
+}

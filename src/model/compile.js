@@ -5,7 +5,8 @@
  * @import { Chain } from '../kinematics/chain.js'
  */
 import { createChain } from '../kinematics/chain.js';
-import { poseFromQuaternion, poseFromRollPitchYaw } from '../kinematics/orientation.js';
+import { poseFromRollPitchYaw } from '../kinematics/orientation.js';
+import { poseFromQuaternion } from '../kinematics/quaternion.js';
 import { isSliding, limitsOf, quantityOf } from './document.js';
 import { fromKernel, toKernel } from './units.js';
 

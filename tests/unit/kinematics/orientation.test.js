@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { isPose } from '../../../src/kinematics/pose.js';
-import { poseFromQuaternion, poseFromRollPitchYaw, rollPitchYawOf } from '../../../src/kinematics/orientation.js';
+import { poseFromRollPitchYaw, rollPitchYawOf } from '../../../src/kinematics/orientation.js';
 import { SEED, runs } from '../../helpers/property.js';
 import { anyPose, columnMajor, largestDifference, rigid, rodrigues, rotationOf, rowsOf, times } from './oracle.js';
 
@@ -37,7 +37,6 @@ describe('roll, pitch, yaw', () => {
   test('come back from any orientation, and give it again', () => {
     fc.assert(
       fc.property(anyPose, (T) => {
-        fc.pre(Math.hypot(T[0], T[1]) > 2e-12); // the neighbourhood of the lock is the next test's
         const [roll, pitch, yaw] = rollPitchYawOf(T);
         expect(Math.abs(pitch)).toBeLessThanOrEqual(QUARTER);
         const again = poseFromRollPitchYaw(T.subarray(12, 15), [roll, pitch, yaw]);
@@ -57,8 +56,7 @@ describe('roll, pitch, yaw', () => {
         ]) {
           const T = columnMajor(rigid(byRodrigues([roll, sign * (QUARTER - away), yaw]), ORIGIN));
           const again = poseFromRollPitchYaw(ORIGIN, rollPitchYawOf(T));
-          // at the lock itself what is beyond 1e-12 of it is let go
-          expect(largestDifference(rowsOf(again), rowsOf(T))).toBeLessThan(1.5e-12);
+          expect(largestDifference(rowsOf(again), rowsOf(T))).toBeLessThan(3e-15);
         }
       }
     }
@@ -93,37 +91,5 @@ describe('roll, pitch, yaw', () => {
     [[0, 0, 0], [0, Infinity, 0], 'Expected roll, pitch, yaw to be finite, got Infinity at index 1.'],
   ])('%j with %j is refused', (xyz, rpy, words) => {
     expect(() => poseFromRollPitchYaw(xyz, rpy)).toThrow(words);
-  });
-});
-
-describe('quaternions', () => {
-  test('are half-angle sine along the axis, and half-angle cosine', () => {
-    fc.assert(
-      fc.property(anyTurn, anyTurn, anyTurn, anyTurn, (x, y, z, angle) => {
-        fc.pre(Math.hypot(x, y, z) > 0.1);
-        const length = Math.hypot(x, y, z) / Math.sin(angle / 2);
-        fc.pre(Number.isFinite(length));
-        const xyzw = [x / length, y / length, z / length, Math.cos(angle / 2)];
-        const found = rotationOf(rowsOf(poseFromQuaternion(ORIGIN, xyzw)));
-        expect(largestDifference(found, rodrigues([x, y, z], angle))).toBeLessThan(2e-15);
-      }),
-      { seed: SEED, numRuns: runs(200) },
-    );
-  });
-  test('of any length, tiny or huge, are divided by it', () => {
-    for (const scale of [1, -1, 1e-200, 1e200, 5e-324]) {
-      expect(Array.from(poseFromQuaternion([1, 2, 3], [0, 0, scale, scale]))).toEqual(
-        Array.from(poseFromRollPitchYaw([1, 2, 3], [0, 0, QUARTER])),
-      );
-    }
-  });
-  test('Craig, section 2.8: Euler parameters of 30° about [0.707 0.707 0]', () => {
-    const T = poseFromQuaternion(ORIGIN, [0.1830127018922193, 0.1830127018922193, 0, 0.9659258262890683]);
-    expect(largestDifference(rotationOf(rowsOf(T)), rodrigues([1, 1, 0], Math.PI / 6))).toBeLessThan(1e-15);
-  });
-  test('of zero length mean nothing and are refused', () => {
-    expect(() => poseFromQuaternion(ORIGIN, [0, 0, 0, 0])).toThrow('Expected a quaternion that is not zero');
-    expect(() => poseFromQuaternion(ORIGIN, [0, 0, 1])).toThrow('Expected a quaternion to be 4 numbers, got 3.');
-    expect(() => poseFromQuaternion(ORIGIN, [0, 0, NaN, 1])).toThrow('got NaN at index 2');
   });
 });

@@ -39,9 +39,7 @@ function turnedAbout(xyz, axis, angle, out) {
   const square = x * x + y * y + z * z;
   const cosine = exactCosine(angle);
   const sine = exactSine(angle) / Math.sqrt(square);
-  // 1 − cos, without the cancellation for small angles
-  const isRight = cosine === 0 || Math.abs(cosine) === 1;
-  const v = (isRight && Math.abs(angle) > 1 ? 1 - cosine : 2 * Math.sin(angle / 2) ** 2) / square;
+  const v = (1 - cosine) / square;
   out[0] = 1 - v * (y * y + z * z);
   out[1] = v * x * y + sine * z;
   out[2] = v * x * z - sine * y;

@@ -3,8 +3,9 @@
  * order of the sequence. Only what is known for certain: a controller that is not here is not thereby one that has none.
  *
  * Sources: Craig, "Introduction to Robotics", section 2.8; Siciliano et al., "Robotics", section 2.4; Spong et al., "Robot Modeling
- * and Control", section 2.5; Goldstein, "Classical Mechanics", section 4.4; the makers' manuals; for FANUC, KUKA, Yaskawa,
- * Mitsubishi and Kawasaki also the pose formats in Roboception's rc_visard manual. Universal Robots show a rotation vector
+ * and Control", section 2.5; Goldstein, "Classical Mechanics", section 4.4; for FANUC, KUKA, Yaskawa, Mitsubishi and
+ * Kawasaki the pose formats in the manual of the rc_visard camera; for Stäubli the table of conventions in Mech-Mind's manual;
+ * OrientZYX in ABB's RAPID reference; "ZYZ' Euler values" in the V+ language guide. Universal Robots show a rotation vector
  * (axisAngle.js), ABB a quaternion with the scalar first (quaternion.js).
  * @import { EulerSequence } from './eulerAngles.js'
  *

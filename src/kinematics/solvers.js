@@ -20,6 +20,7 @@
  * @property {Solver | null} solver   null for an arm that none of them solves
  */
 import { screwsOf } from './screws.js';
+import { recogniseWristPartition, solveWristPartition } from './wristPartition.js';
 import { recogniseThreeParallel, solveThreeParallel } from './threeParallel.js';
 
 /**
@@ -35,7 +36,10 @@ const kind = (method, isQuick, recognise, solve) => (screws) => {
   return constants === null ? null : { method, isQuick, solve: (goal) => solve(constants, goal) };
 };
 
-const KINDS = [kind('three-parallel-axes', true, recogniseThreeParallel, solveThreeParallel)];
+const KINDS = [
+  kind('wrist-partition', true, recogniseWristPartition, solveWristPartition),
+  kind('three-parallel-axes', true, recogniseThreeParallel, solveThreeParallel),
+];
 
 /** @type {WeakMap<Chain, Recognised>} */
 const known = new WeakMap();

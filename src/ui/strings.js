@@ -143,11 +143,11 @@ export const TEXT = {
   verdict: {
     task: {
       'position-and-tilt': (/** @type {string} */ angle) =>
-        `the position and the tilt of the tool. Its turn about the arm's upright follows from them and differs by ${angle}.`,
+        `the position and the tilt of the tool. Its turn about the arm’s first axis follows from them and differs by ${angle}.`,
       'position-and-axis': (/** @type {string} */ angle) =>
         `the position and the direction of the tool axis. Its turn about that axis follows from them and differs by ${angle}.`,
       'position-and-turn': (/** @type {string} */ angle) =>
-        `the position and the turn about the arm's upright. The tilt of the tool is fixed and differs by ${angle}.`,
+        `the position and the turn about the arm’s first axis. The tilt of the tool is fixed and differs by ${angle}.`,
       'position-and-pitch': (/** @type {string} */ angle) =>
         `the position and the pitch of the tool. The rest of its orientation follows from them and differs by ${angle}.`,
       position: (/** @type {string} */ angle) => `the position. The orientation differs by ${angle}.`,

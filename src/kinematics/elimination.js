@@ -1,0 +1,315 @@
+/**
+ * From six joints to one, by dual quaternions. In the closed loop, two joints a and b and a hidden one h are set against the
+ * other three, d, e and f, in one of the orders (the goal is one more factor, wherever the loop is cut)
+ *
+ *   a h b · d e f = 1     a b · h d e f = 1     a b · d e f h = 1
+ *
+ * All that can stand in front of the dot, inverted, fills for a given angle of h only four of the eight dimensions of dual
+ * quaternions: those of C, B C, C A and B C A, with A and B the lines of a and b, and C what is between them, inverted. So four
+ * linear forms vanish on it (the spaces of Husty, Pfurner & Schröcker 2007). What stands behind has degree one in the
+ * tangents x, y, z of half the angles of d, e and f; slides are no different. Dixon's determinant eliminates these
+ * (dixon.js). The forms, once scaled by the volume that the four vectors span, have minors of degree 2 in the cosine and
+ * sine of the angle θ of h, and so has Dixon's matrix D in each of the orders: five values say everything about it. And
+ *
+ *   det D(θ) = m(θ)⁴ r(θ),   m the mutual moment of the lines a and b, a constant if h is not between them,
+ *
+ * with r of degree 8, for at most sixteen solutions (Primrose 1986). That the power of m is the fourth was found by
+ * experiment, and shows in every pose: r comes from 32 values of the determinant by least squares with the weights m⁴, and
+ * what does not fit measures the noise. Compared with the 24 × 24 eigenvalue problem of Raghavan & Roth (1990, 1993)
+ * nothing has to be inverted, no half turn is at infinity, and it takes microseconds.
+ *
+ * Of no use where a and b are in one plane (whatever h does between them), or where D is singular throughout, as for other
+ * special arms; then another choice of joints may do.
+ *
+ * @import { CircleFit } from './circleFit.js'
+ *
+ * @typedef {'between' | 'before' | 'after'} Order   where h is: between a and b, or before or after d, e and f
+ *
+ * @typedef {object} Elimination
+ * @property {Order} order
+ * @property {Int8Array} joints   a, h, b, d, e, f, from 0
+ * @property {number} hidden      h
+ * @property {boolean} isCut      the goal is between a and b: the forms change with it
+ * @property {Float64Array} forms   4 · 8, or 5 · 4 · 8 at five angles of h if it is between
+ * @property {CircleFit} fit
+ */
+import { writeAnnihilator } from './annihilator.js';
+import { fitCircle, sampleAngle, SAMPLES } from './circleFit.js';
+import { COUNT } from './circleRoots.js';
+import { COEFFICIENTS, determinant, EQUATIONS, SIZE, writeDixonMatrix } from './dixon.js';
+import { conjugate, DQ, multiply, turn } from './dualQuaternion.js';
+
+const ENTRIES = SIZE * SIZE;
+const FORMS = EQUATIONS * DQ;
+
+/** Values that a matrix of degree 2 is known by. */
+const KNOTS = 5;
+
+/** Noise is not quite white, and more of it is in the low harmonics: so many times the mean deviation is surely above it. */
+const SAFETY = 100;
+
+/** Of the largest coefficient: rounding in what comes after. */
+const ROUNDING = 2e-15;
+
+/** Moments less than this (arm lengths) are none. */
+const COPLANAR = 1e-9;
+
+const knotAngle = (/** @type {number} */ k) => (k * 2 * Math.PI) / KNOTS;
+
+/**
+ * The four forms that vanish on C, B C, C A and B C A.
+ * @param {Float64Array} lines
+ * @param {Int8Array} joints
+ * @param {Float64Array} C
+ * @param {Float64Array} forms  4 · 8, filled
+ */
+function writeForms(lines, [a, , b], C, forms) {
+  span.set(C);
+  multiply(lines, DQ * b, C, 0, span, DQ);
+  multiply(C, 0, lines, DQ * a, span, 2 * DQ);
+  multiply(span, DQ, lines, DQ * a, span, 3 * DQ);
+  writeAnnihilator(span, forms);
+}
+const span = new Float64Array(4 * DQ);
+
+/**
+ * The moment of line a about line b once it is moved.
+ * @param {Float64Array} lines
+ * @param {Int8Array} joints
+ * @param {Float64Array} C   inverse of the motion
+ */
+function mutualMoment(lines, [a, , b], C) {
+  conjugate(C, 0, moved, 0);
+  multiply(moved, 0, lines, DQ * b, moved, DQ);
+  multiply(moved, DQ, C, 0, moved, 2 * DQ);
+  let sum = 0;
+  for (let k = 1; k < 4; k++) {
+    sum += lines[DQ * a + k] * moved[2 * DQ + 4 + k] + lines[DQ * a + 4 + k] * moved[2 * DQ + k];
+  }
+  return sum;
+}
+const moved = new Float64Array(3 * DQ);
+
+/** @param {Float64Array} lines @param {number} h @param {number} angle @returns {Float64Array} the turn of h back by an angle */
+function turnedBack(lines, h, angle) {
+  const C = new Float64Array(DQ);
+  turn(lines, DQ * h, Math.cos(angle / 2), -Math.sin(angle / 2), C, 0);
+  return C;
+}
+
+/**
+ * @param {Float64Array} lines  8 · 6
+ * @param {readonly boolean[]} slides
+ * @param {Order} order
+ * @param {number} first  joint a, from 0; at most 3 if h is between
+ * @param {CircleFit} evenFit  with all weights 1
+ * @returns {Elimination | null} null if this choice is of no use
+ */
+export function prepareElimination(lines, slides, order, first, evenFit) {
+  const places = { between: [0, 1, 2, 3, 4, 5], before: [0, 2, 1, 3, 4, 5], after: [0, 5, 1, 2, 3, 4] }[order];
+  const joints = Int8Array.from(places, (place) => (first + place) % 6);
+  const [, hidden] = joints;
+  if (slides[hidden]) return null;
+  const unit = Float64Array.of(1, 0, 0, 0, 0, 0, 0, 0);
+  const isCut = order !== 'between' && first === 5;
+  if (order !== 'between') {
+    const forms = new Float64Array(FORMS);
+    if (isCut) return { order, joints, hidden, isCut, forms, fit: evenFit };
+    if (Math.abs(mutualMoment(lines, joints, unit)) < COPLANAR) return null;
+    writeForms(lines, joints, unit, forms);
+    return { order, joints, hidden, isCut, forms, fit: evenFit };
+  }
+  const moments = Float64Array.from({ length: SAMPLES }, (_, k) =>
+    mutualMoment(lines, joints, turnedBack(lines, hidden, sampleAngle(k))),
+  );
+  const most = moments.reduce((largest, moment) => Math.max(largest, Math.abs(moment)), 0);
+  if (most < COPLANAR) return null;
+  const fit = fitCircle(moments.map((moment) => (moment / most) ** 4));
+  if (!fit) return null;
+  const forms = new Float64Array(KNOTS * FORMS);
+  for (let k = 0; k < KNOTS; k++) {
+    writeForms(lines, joints, turnedBack(lines, hidden, knotAngle(k)), forms.subarray(FORMS * k, FORMS * (k + 1)));
+  }
+  return { order, joints, hidden, isCut, forms, fit };
+}
+
+/** Of the pose under way: the eight products of 1 or line of d, e and f; Dixon's matrix, harmonic by harmonic. */
+const products = new Float64Array(COEFFICIENTS * DQ);
+const harmonics = new Float64Array(KNOTS * ENTRIES);
+
+const M = new Float64Array(EQUATIONS * COEFFICIENTS);
+const D = new Float64Array(ENTRIES);
+const inverseGoal = new Float64Array(DQ);
+const values = new Float64Array(SAMPLES);
+const coefficients = new Float64Array(COUNT);
+const held = new Float64Array(DQ);
+const factor = new Float64Array(DQ);
+
+/**
+ * @param {Elimination} elimination
+ * @param {Float64Array} lines
+ */
+function writeProducts({ joints, order }, lines) {
+  products.fill(0, 0, DQ);
+  products[0] = 1;
+  let count = 1;
+  for (let k = 3; k < 6; k++) {
+    if (joints[k] === 0) passGoal(count);
+    for (let m = 0; m < count; m++) multiply(products, DQ * m, lines, DQ * joints[k], products, DQ * (count + m));
+    count *= 2;
+  }
+  if (joints[5] === 5 && order !== 'after') passGoal(count);
+}
+
+/** The loop is cut between joint 6 and joint 1. @param {number} count  products made so far */
+function passGoal(count) {
+  for (let m = 0; m < count; m++) {
+    for (let k = 0; k < DQ; k++) held[k] = products[DQ * m + k];
+    multiply(held, 0, inverseGoal, 0, products, DQ * m);
+  }
+}
+
+/**
+ * The hidden joint's own motion, and the goal if it is next to that, into `factor`.
+ * @param {Elimination} elimination
+ * @param {Float64Array} lines
+ * @param {number} angle
+ */
+function writeFactor({ order, hidden }, lines, angle) {
+  turn(lines, DQ * hidden, Math.cos(angle / 2), Math.sin(angle / 2), factor, 0);
+  held.set(factor);
+  if (hidden === 0) multiply(inverseGoal, 0, held, 0, factor, 0);
+  else if (hidden === 5 && order === 'after') multiply(held, 0, inverseGoal, 0, factor, 0);
+}
+
+/**
+ * out[k …] = what d, e and f do, of which `products` number m is a part, with the hidden joint's motion.
+ * @param {Order} order
+ * @param {Float64Array} motion
+ * @param {number} m
+ * @param {Float64Array} out
+ */
+function withFactor(order, motion, m, out) {
+  if (order === 'before') multiply(factor, 0, motion, m, out, 0);
+  else if (order === 'after') multiply(motion, m, factor, 0, out, 0);
+  else for (let k = 0; k < DQ; k++) out[k] = motion[m + k];
+}
+
+/** 1, cos θ, sin θ, cos 2θ, sin 2θ at the knots, as shares of a value there in the harmonics. */
+const SHARES = Float64Array.from({ length: KNOTS * KNOTS }, (_, i) => {
+  const [knot, k] = [Math.floor(i / KNOTS), i % KNOTS];
+  const angle = Math.ceil(k / 2) * knotAngle(knot);
+  return k === 0 ? 1 / KNOTS : ((k % 2 ? Math.cos(angle) : Math.sin(angle)) * 2) / KNOTS;
+});
+
+/** @param {Elimination} elimination @param {Float64Array} lines */
+function writeHarmonics(elimination, lines) {
+  const { order, forms } = elimination;
+  harmonics.fill(0);
+  for (let knot = 0; knot < KNOTS; knot++) {
+    const from = order === 'between' ? FORMS * knot : 0;
+    if (order !== 'between') writeFactor(elimination, lines, knotAngle(knot));
+    for (let m = 0; m < COEFFICIENTS; m++) {
+      withFactor(order, products, DQ * m, held);
+      for (let row = 0; row < EQUATIONS; row++) {
+        const at = from + DQ * row;
+        let sum = 0;
+        for (let k = 0; k < DQ; k++) sum += forms[at + k] * held[k];
+        M[COEFFICIENTS * row + m] = sum;
+      }
+    }
+    writeDixonMatrix(M, D);
+    for (let k = 0; k < KNOTS; k++) {
+      const share = SHARES[KNOTS * knot + k];
+      for (let i = 0; i < ENTRIES; i++) harmonics[ENTRIES * k + i] += share * D[i];
+    }
+  }
+}
+
+/**
+ * What d, e and f have to do together with h: the inverse of a C b. Of the pose under way, as are the next two.
+ * @param {Elimination} elimination
+ * @param {Float64Array} lines
+ * @param {number} angle  of h
+ * @param {(m: number) => number} shareOf  of each of the eight products
+ * @param {Float64Array} out
+ */
+export function writeRest(elimination, lines, angle, shareOf, out) {
+  sum.fill(0);
+  for (let m = 0; m < COEFFICIENTS; m++) {
+    const share = shareOf(m);
+    for (let k = 0; k < DQ; k++) sum[k] += share * products[DQ * m + k];
+  }
+  if (elimination.order !== 'between') writeFactor(elimination, lines, angle);
+  withFactor(elimination.order, sum, 0, out);
+}
+const sum = new Float64Array(DQ);
+
+/**
+ * What is between a and b.
+ * @param {Elimination} elimination
+ * @param {Float64Array} lines
+ * @param {number} angle
+ * @param {Float64Array} out
+ */
+export function writeBetween({ order, hidden, isCut }, lines, angle, out) {
+  if (order === 'between') turn(lines, DQ * hidden, Math.cos(angle / 2), Math.sin(angle / 2), out, 0);
+  else if (isCut) out.set(inverseGoal);
+  else out.set(UNIT);
+}
+const UNIT = Float64Array.of(1, 0, 0, 0, 0, 0, 0, 0);
+
+/**
+ * Dixon's matrix of the pose under way.
+ * @param {number} angle  of the hidden joint
+ * @param {Float64Array} out  6 × 6, row by row
+ */
+export function writeMatrixAt(angle, out) {
+  const c = Math.cos(angle);
+  const s = Math.sin(angle);
+  const c2 = c * c - s * s;
+  const s2 = 2 * c * s;
+  for (let i = 0; i < ENTRIES; i++) {
+    out[i] =
+      harmonics[i] +
+      c * harmonics[ENTRIES + i] +
+      s * harmonics[2 * ENTRIES + i] +
+      c2 * harmonics[3 * ENTRIES + i] +
+      s2 * harmonics[4 * ENTRIES + i];
+  }
+}
+
+/**
+ * The polynomial in the angle of the hidden joint.
+ * @param {Elimination} elimination
+ * @param {Float64Array} lines
+ * @param {Float64Array} goal
+ * @returns {{ coefficients: Float64Array, noise: number, size: number }} the largest coefficient, and by how much the
+ *   polynomial may be wrong; the coefficients are overwritten by the next call
+ */
+export function eliminate(elimination, lines, goal) {
+  const { joints, forms, fit, isCut } = elimination;
+  conjugate(goal, 0, inverseGoal, 0);
+  if (isCut) writeForms(lines, joints, goal, forms);
+  writeProducts(elimination, lines);
+  writeHarmonics(elimination, lines);
+  for (let k = 0; k < SAMPLES; k++) {
+    writeMatrixAt(sampleAngle(k), D);
+    values[k] = determinant(D);
+  }
+  let size = 0;
+  for (let j = 0; j < COUNT; j++) {
+    let sum = 0;
+    for (let k = 0; k < SAMPLES; k++) sum += fit.inverse[SAMPLES * j + k] * values[k];
+    coefficients[j] = sum;
+    size = Math.max(size, Math.abs(sum));
+  }
+  let squares = 0;
+  for (let k = 0; k < SAMPLES; k++) {
+    let misfit = values[k];
+    for (let j = 0; j < COUNT; j++) misfit -= fit.design[COUNT * k + j] * coefficients[j];
+    squares += misfit * misfit;
+  }
+  const noise = SAFETY * fit.spread * Math.sqrt(squares / (SAMPLES - COUNT)) + ROUNDING * size;
+  return { coefficients, noise, size };
+}

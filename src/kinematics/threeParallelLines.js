@@ -5,9 +5,9 @@
  * last two axes meet, and its x towards the second of them. In it the two links between the three axes are seen in the
  * plane z = 0, as the triangle they make there.
  *
+ * @import { Vector } from './lines.js'
  * @import { Pose } from './pose.js'
  * @import { Screws } from './screws.js'
- * @typedef {[number, number, number]} Vector
  *
  * @typedef {object} ThreeParallel   constants of an arm, in the order of the chain or (isReversed) against it
  * @property {boolean} isReversed
@@ -30,6 +30,7 @@
  * @property {number} tilt6   between axis 5 and axis 6
  * @property {number} nearest5  the q5 at which axis 6 is nearest to z
  */
+import { along, cross, dot, minus, nearestTo, norm, unit } from './lines.js';
 import { compose, identity, invert } from './pose.js';
 
 /** Directions that differ by less are parallel; points nearer than this part of the arm's length are one. */
@@ -37,15 +38,6 @@ const SAME = 1e-9;
 
 /** Axes have to make at least this angle (its sine) to be called across each other: the steps divide by it. */
 const ACROSS = 1e-3;
-
-const dot = (/** @type {Vector} */ a, /** @type {Vector} */ b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const norm = (/** @type {Vector} */ a) => Math.hypot(...a);
-const scaled = (/** @type {Vector} */ a, /** @type {number} */ k) =>
-  /** @type {Vector} */ ([k * a[0], k * a[1], k * a[2]]);
-/** a + k·b. @param {Vector} a @param {Vector} b @param {number} k @returns {Vector} */
-const plus = (a, b, k = 1) => [a[0] + k * b[0], a[1] + k * b[1], a[2] + k * b[2]];
-/** @param {Vector} a @param {Vector} b @returns {Vector} */
-const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 
 /**
  * @param {Screws} screws
@@ -65,30 +57,30 @@ export function threeParallelLines({ dof, slides, axes, points, home, length }, 
   if (!isAcross(axis(1), z) || !isAcross(z, axis(5)) || !isAcross(axis(5), axis(6))) return null;
 
   const normal = cross(axis(5), axis(6));
-  const between = plus(point(6), point(5), -1);
+  const between = minus(point(6), point(5));
   if (Math.abs(dot(between, normal)) > SAME * length * norm(normal)) return null;
-  const c = plus(point(5), axis(5), dot(cross(between, axis(6)), normal) / dot(normal, normal));
-  const origin = plus(point(2), z, dot(plus(c, point(2), -1), z));
-  const link = plus(point(3), point(2), -1);
-  const flat = plus(link, z, -dot(link, z));
+  const c = nearestTo({ axis: axis(5), point: point(5) }, { axis: axis(6), point: point(6) });
+  const origin = along(point(2), dot(minus(c, point(2)), z), z);
+  const link = minus(point(3), point(2));
+  const flat = along(link, -dot(link, z), z);
   const upper = norm(flat);
-  if (upper < SAME * length) return null;
-  const x = scaled(flat, 1 / upper);
+  if (!(upper > SAME * length)) return null;
+  const x = unit(flat);
   const y = cross(z, x);
   const seen = (/** @type {Vector} */ v) => /** @type {Vector} */ ([dot(v, x), dot(v, y), dot(v, z)]);
-  const place = (/** @type {Vector} */ p) => seen(plus(p, origin, -1));
+  const place = (/** @type {Vector} */ p) => seen(minus(p, origin));
   const elbow = place(point(3));
   const end = place(point(4));
   const meeting = place(c);
   const fore = Math.hypot(end[0] - elbow[0], end[1] - elbow[1]);
-  if (fore < SAME * length) return null;
+  if (!(fore > SAME * length)) return null;
 
   const T_start_frame = identity();
   [x, y, z, origin].forEach((column, i) => T_start_frame.set(column, 4 * i));
   const axis5 = seen(axis(5));
   const axis6 = seen(axis(6));
-  const across6 = scaled(seen(normal), 1 / norm(normal));
-  const up = plus([0, 0, 1], axis5, -axis5[2]);
+  const across6 = unit(seen(normal));
+  const up = along([0, 0, 1], -axis5[2], axis5);
   return {
     isReversed,
     T_frame_start: invert(T_start_frame),
@@ -113,6 +105,6 @@ export function threeParallelLines({ dof, slides, axes, points, home, length }, 
 
 /** The three parts that a turn by q about a line puts together as 1, cos q and sin q. @param {Vector} axis @param {Vector} v */
 function turnParts(axis, v) {
-  const along = scaled(axis, dot(axis, v));
-  return [...along, ...plus(v, along, -1), ...cross(axis, v)];
+  const part = along([0, 0, 0], dot(axis, v), axis);
+  return [...part, ...minus(v, part), ...cross(axis, v)];
 }

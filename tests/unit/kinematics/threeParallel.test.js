@@ -334,6 +334,10 @@ describe('what is not such an arm is left to others', () => {
   )('%s', (_, i, change) => {
     expect(changed(i, change)).toBeNull();
   });
+  test('an arm without any length', () => {
+    const pointLike = joints.map((row) => ({ ...row, a: 0, d: 0 }));
+    expect(recogniseThreeParallel(screwsOf(createChain({ convention: 'standard', joints: pointLike })))).toBeNull();
+  });
   test.each(/** @type {const} */ (['puma560', 'scara_cobra600', 'planar2r']))('%s', (name) => {
     expect(recogniseThreeParallel(screwsOf(createChain(arm(name))))).toBeNull();
   });

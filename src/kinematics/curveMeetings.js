@@ -16,7 +16,7 @@ import { doubleTurnRoots, polynomialRoots, quadraticRoots, turnRoots } from './r
 const POINT = 1e-9;
 
 /** An ellipse flatter than this is taken for flat; the error is polished away. */
-const FLAT = 1e-8;
+const FLAT = 1e-6;
 
 /** What curves may miss each other by and still be said to meet: what comes of it is checked. */
 const PLAUSIBLE = 1e-5;
@@ -59,21 +59,35 @@ function placesWhere({ kind, start, first, second, size }, direction, value) {
   return kind === 'turns' ? turnRoots(a, b, c) : quadraticRoots(b, a, -c);
 }
 
-/** The places of a curve that are all but at a point, brought as near as they come. @param {Curve} curve @param {Pair} point */
+/**
+ * The places of a curve that are all but at a point: of a flat one perhaps two, of a round one no more than one, brought as near as it
+ * comes.
+ * @param {Curve} curve
+ * @param {Pair} point
+ */
 function placesAt(curve, point) {
-  const isLevel = curve.second[1] === 0.5 && curve.kind === 'slides' && Math.abs(curve.first[0]) > 0.1;
+  const isLevel = curve.kind === 'slides' && curve.second[1] !== 0 && Math.abs(curve.first[0]) > 0.1;
   const direction = isLevel ? curve.normal : curve.tangent;
-  return (placesWhere(curve, direction, times(direction, point)) ?? [])
-    .map((place) => {
-      let x = place;
-      for (let i = 0; i < 3; i++) {
-        const slope = slopeAt(curve, x);
-        const square = times(slope, slope);
-        if (square > 1e-8 * curve.size ** 2) x -= times(slope, less(pointAt(curve, x), point)) / square;
-      }
-      return x;
-    })
-    .filter((x) => Math.hypot(...less(pointAt(curve, x), point)) < PLAUSIBLE);
+  const missAt = (/** @type {number} */ x) => Math.hypot(...less(pointAt(curve, x), point));
+  const places = (placesWhere(curve, direction, times(direction, point)) ?? [])
+    .map((place) => nearestPlace(curve, point, place))
+    .filter((x) => missAt(x) < PLAUSIBLE)
+    .sort((a, b) => missAt(a) - missAt(b));
+  return curve.width > 1e-4 * curve.size ? places.slice(0, 1) : places;
+}
+
+/** By Gauss's steps, except from where the curve turns back. @param {Curve} curve @param {Pair} point @param {number} from */
+function nearestPlace(curve, point, from) {
+  let x = from;
+  for (let i = 0; i < 10; i++) {
+    const slope = slopeAt(curve, x);
+    const square = times(slope, slope);
+    if (square < 1e-8 * curve.size ** 2) return x;
+    const step = times(slope, less(pointAt(curve, x), point)) / square;
+    x -= step;
+    if (Math.abs(step) < 1e-15) return x;
+  }
+  return x;
 }
 
 /** @param {Curve} one @param {Curve} two @returns {Meeting[]} */
@@ -107,17 +121,39 @@ function alongFlat(one, two) {
   const places = placesWhere(other, flat.normal, level);
   if (places) return places.flatMap((place) => onFlat(place).map((here) => pair(place, here)));
   if (Math.abs(times(flat.normal, other.start) - level) > PLAUSIBLE) return [];
-  for (let i = 0; i < 24; i++) {
-    const place = (i * Math.PI) / 12 - Math.PI;
-    const [here] = onFlat(place);
-    if (here !== undefined) return [pair(place, here, true)];
-  }
-  return [];
+  const value = commonValue(flat, other);
+  const [here] = placesWhere(flat, flat.tangent, value) ?? [];
+  const [there] = placesWhere(other, flat.tangent, value) ?? [];
+  return here === undefined || there === undefined ? [] : [pair(there, here, true)];
 }
+
+/** Of two flat curves on one line: how far along it both come, well inside if they can. @param {Curve} flat @param {Curve} other */
+function commonValue(flat, other) {
+  const [a, b] = rangeAlong(flat, flat.tangent);
+  const [c, d] = rangeAlong(other, flat.tangent);
+  const low = Math.max(a, c);
+  const high = Math.min(b, d);
+  if (low > -Infinity && high < Infinity) return (low + high) / 2;
+  return low > -Infinity ? low + 0.5 : high < Infinity ? high - 0.5 : 0;
+}
+
+/** @param {Curve} curve @param {Pair} direction @returns {Pair} */
+function rangeAlong({ kind, start, first, second }, direction) {
+  const [k, a, b] = [start, first, second].map((pair) => times(direction, pair));
+  if (kind === 'turns') return [k - Math.hypot(a, b), k + Math.hypot(a, b)];
+  if (b === 0) return [-Infinity, Infinity];
+  const turn = k - (a * a) / (4 * b);
+  return b > 0 ? [turn, Infinity] : [-Infinity, turn];
+}
+
+/** Whether two flat curves can only miss each other or lie on one another. @param {Curve} one @param {Curve} two */
+export const lieAlong = (one, two) =>
+  isFlat(one) && isFlat(two) && !isPoint(one) && !isPoint(two) && reachAcross(one, two) <= FLAT;
 
 /** @param {Curve} one @param {Curve} two @returns {Meeting[]} */
 function round(one, two) {
   if (one.kind === 'turns' && two.kind === 'turns') {
+    if (areSame(one, two)) return [meeting(...acrossFrom(one, two, 0), { isOverlap: true })];
     return one.width > two.width
       ? acrossEllipse(one, two).map(([a, b]) => meeting(a, b))
       : acrossEllipse(two, one).map(([b, a]) => meeting(a, b));
@@ -134,7 +170,8 @@ function round(one, two) {
  * @param {Curve} other
  * @returns {Pair[]} the place on the ellipse, and on the other
  */
-function acrossEllipse({ start, first, second }, other) {
+function acrossEllipse(ellipse, other) {
+  const { start, first, second } = ellipse;
   const determinant = first[0] * second[1] - first[1] * second[0];
   const map = (/** @type {Pair} */ [x, y]) =>
     /** @type {Pair} */ ([second[1] * x - second[0] * y, first[0] * y - first[1] * x]);
@@ -147,10 +184,30 @@ function acrossEllipse({ start, first, second }, other) {
     other.kind === 'turns'
       ? doubleTurnRoots(kk + (aa + bb) / 2 - determinant ** 2, 2 * ka, 2 * kb, (aa - bb) / 2, ab)
       : polynomialRoots([kk - determinant ** 2, 2 * ka, aa + 2 * kb, 2 * ab, bb]);
-  return places.map((place) => {
-    const [x, y] = map(less(pointAt(other, place), start));
-    return [Math.atan2(y * Math.sign(determinant), x * Math.sign(determinant)), place];
-  });
+  return places.map((place) => acrossFrom(ellipse, other, place));
+}
+
+/** The place on an ellipse where another curve's place is. @param {Curve} ellipse @param {Curve} other @param {number} place @returns {Pair} */
+function acrossFrom({ start, first, second }, other, place) {
+  const [x, y] = less(pointAt(other, place), start);
+  const sign = Math.sign(first[0] * second[1] - first[1] * second[0]);
+  return [Math.atan2(sign * (first[0] * y - first[1] * x), sign * (second[1] * x - second[0] * y)), place];
+}
+
+/**
+ * Whether two ellipses are one: their centres are, and the squares of their matrices.
+ * @param {Curve} one
+ * @param {Curve} two
+ */
+function areSame(one, two) {
+  const square = (/** @type {Curve} */ { first: a, second: b }) => [
+    a[0] ** 2 + b[0] ** 2,
+    a[0] * a[1] + b[0] * b[1],
+    a[1] ** 2 + b[1] ** 2,
+  ];
+  const other = square(two);
+  const differences = [...less(one.start, two.start), ...square(one).map((value, i) => value - other[i])];
+  return differences.every((value) => Math.abs(value) < POINT);
 }
 
 /**

@@ -1,14 +1,16 @@
 /**
  * Vectors, rotations and lines in space, for the solvers that work on the lines of the joint axes. Rotations are nine
- * numbers, column-major. Everything returns something new.
+ * numbers, column-major; plain arrays, since small typed ones are slow to make. Everything returns something new.
  *
  * @typedef {[number, number, number]} Vector
- * @typedef {Float64Array} Rotation
+ * @typedef {readonly number[]} Rotation
  *
  * @typedef {object} Line  of a joint
  * @property {boolean} slides
  * @property {Vector} axis   unit direction
  * @property {Vector} point  on it
+ *
+ * @typedef {{ axis: ArrayLike<number>, point: ArrayLike<number> }} BareLine
  */
 
 /** @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
@@ -49,7 +51,7 @@ export function turn([x, y, z], angle) {
   const c = Math.cos(angle);
   const s = Math.sin(angle);
   const v = 1 - c;
-  return Float64Array.of(
+  return [
     c + v * x * x,
     v * x * y + s * z,
     v * x * z - s * y,
@@ -59,7 +61,7 @@ export function turn([x, y, z], angle) {
     v * x * z + s * y,
     v * y * z - s * x,
     c + v * z * z,
-  );
+  ];
 }
 
 /** @param {Rotation} R @param {ArrayLike<number>} v @returns {Vector} */
@@ -70,22 +72,28 @@ export const rotate = (R, v) => [
 ];
 
 /** The rotation back. @param {Rotation} R @returns {Rotation} */
-export const transposed = (R) => Float64Array.of(R[0], R[3], R[6], R[1], R[4], R[7], R[2], R[5], R[8]);
+export const transposed = (R) => [R[0], R[3], R[6], R[1], R[4], R[7], R[2], R[5], R[8]];
 
 /** @param {Rotation} A @param {Rotation} B @returns {Rotation} */
 export function product(A, B) {
-  const out = new Float64Array(9);
-  for (let i = 0; i < 9; i += 3) out.set(rotate(A, B.subarray(i, i + 3)), i);
+  const out = [0, 0, 0, 0, 0, 0, 0, 0, 0];
+  for (let i = 0; i < 9; i += 3) {
+    for (let j = 0; j < 3; j++) out[i + j] = A[j] * B[i] + A[j + 3] * B[i + 1] + A[j + 6] * B[i + 2];
+  }
   return out;
 }
 
 /** @param {Rotation} A @param {Rotation} B */
-export const largestDifference = (A, B) => A.reduce((most, value, i) => Math.max(most, Math.abs(value - B[i])), 0);
+export function largestDifference(A, B) {
+  let most = 0;
+  for (let i = 0; i < 9; i++) most = Math.max(most, Math.abs(A[i] - B[i]));
+  return most;
+}
 
 /** The point of a line nearest to another point. @param {Line} line @param {Vector} point @returns {Vector} */
 export const footOn = ({ axis, point: onLine }, point) => along(onLine, dot(minus(point, onLine), axis), axis);
 
-/** The point of a line nearest to another line that is not parallel to it. @param {Line} line @param {Line} other @returns {Vector} */
+/** The point of a line nearest to another line that is not parallel to it. @param {BareLine} line @param {BareLine} other @returns {Vector} */
 export function nearestTo(line, other) {
   const normal = cross(line.axis, other.axis);
   const t = dot(cross(minus(other.point, line.point), other.axis), normal) / dot(normal, normal);

@@ -15,18 +15,23 @@
  * @property {Plane | null} plane
  * @property {Curve | null} curve  of W as the joint after the middle one moves
  * @property {number} place   of W on it
+ * @property {number} radius  of W from the axis after the middle one
  *
  * @typedef {object} RegionalSolution
  * @property {number[]} q
  * @property {number[]} free    joints of which each may turn alone: the centre is on their axis
  * @property {number[]} coupled  joints that move together, the centre staying where it is
+ * @property {boolean} isTurning  whether that turns the wrist
  */
-import { meetings } from './curveMeetings.js';
+import { lieAlong, meetings } from './curveMeetings.js';
 import { cross, dot, minus, moved, norm } from './lines.js';
 import { curveOf, planeOf } from './profileCurves.js';
 
 /** A centre nearer to an axis than this (in arm lengths) is on it. */
 export const ON_AXIS = 1e-9;
+
+/** And one farther than this is not, even if turning about it makes no difference. */
+const FAR_FROM_AXIS = 1e-6;
 
 /**
  * @param {readonly Line[]} joints 0 to 3
@@ -36,36 +41,57 @@ export const ON_AXIS = 1e-9;
 export function prepareRegional(joints, centre) {
   const [before, middle, after] = joints.length === 1 ? [null, joints[0], null] : [...joints, null, null, null];
   const plane = middle && planeOf(middle, [before, after]);
-  const { curve, place } = plane ? curveOf(plane, after, centre) : { curve: null, place: 0 };
-  return { joints, centre, before, middle, after, plane, curve, place };
+  const { curve, place, radius } = plane ? curveOf(plane, after, centre) : { curve: null, place: 0, radius: 0 };
+  return { joints, centre, before, middle, after, plane, curve, place, radius };
+}
+
+/**
+ * Whether the joints move the centre in a surface only, so that one of them is too many for it. (Of the curve before the middle joint
+ * only the size depends on the goal.)
+ * @param {Regional} regional
+ */
+export function isDeficient({ plane, curve, before }) {
+  const anywhere = /** @type {Vector} */ ([0.61, 0.43, 0.27]);
+  return Boolean(plane && curve && before && lieAlong(curveOf(plane, before, anywhere).curve, curve));
 }
 
 /** @param {Regional} regional @param {Vector} P @returns {RegionalSolution[]} */
-export function solveRegional({ joints, centre, before, middle, after, plane, curve, place }, P) {
-  if (!plane || !middle || !curve) return [{ q: [], free: [], coupled: [] }];
+export function solveRegional(regional, P) {
+  const { joints, centre, before, middle, after, plane, curve, place, radius } = regional;
+  if (!plane || !middle || !curve) return [{ q: [], free: [], coupled: [], isTurning: false }];
   const back = curveOf(plane, before, P);
   return meetings(back.curve, curve).map(({ one, two, isOneFree, isTwoFree, isOverlap }) => {
-    const first = before?.slides ? -one : back.place - one;
-    const third = after?.slides ? two : two - place;
     // Where any place will do, the joint value is zero.
-    const q1 = isOneFree ? 0 : first;
-    const q3 = isTwoFree ? 0 : third;
+    const q1 = isOneFree ? 0 : before?.slides ? -one : back.place - one;
+    const q3 = isTwoFree ? 0 : after?.slides ? two : two - place;
     const S = after ? moved(after, q3, centre) : centre;
     const Q = before ? moved(before, -q1, P) : P;
-    const { angle, isFree } = middleValue(plane.line, S, Q);
-    const q = joints.length === 1 ? [angle] : [q1, angle, q3].slice(0, joints.length);
-    const at = joints.length === 1 ? 0 : 1;
-    const free = [...(isOneFree ? [0] : []), ...(isFree ? [at] : []), ...(isTwoFree ? [2] : [])];
-    return { q, free, coupled: isOverlap ? joints.map((_, i) => i) : [] };
+    const { value, isFree } = middleValue(plane.line, S, Q);
+    const q = joints.length === 1 ? [value] : [q1, value, q3].slice(0, joints.length);
+    const free = isFree ? [joints.length === 1 ? 0 : 1] : [];
+    const coupled = isOverlap ? joints.map((_, i) => i) : [];
+    if (isOneFree && isTied(before, back.radius)) coupled.push(0, 1);
+    else if (isOneFree) free.push(0);
+    if (isTwoFree && isTied(after, radius)) coupled.push(1, 2);
+    else if (isTwoFree) free.push(2);
+    return { q, free, coupled, isTurning: isOverlap };
   });
 }
 
+/**
+ * Why a joint makes no difference: either the centre is on its axis, or it does nothing that the middle joint does not do, being
+ * about the same line or along a parallel one.
+ * @param {Line | null} joint
+ * @param {number} radius
+ */
+const isTied = (joint, radius) => Boolean(joint?.slides) || radius > FAR_FROM_AXIS;
+
 /** What takes S to Q. @param {Line} line @param {Vector} S @param {Vector} Q */
 function middleValue({ slides, axis, point }, S, Q) {
-  if (slides) return { angle: dot(axis, minus(Q, S)), isFree: false };
+  if (slides) return { value: dot(axis, minus(Q, S)), isFree: false };
   const from = minus(S, point);
   const to = minus(Q, point);
   const sine = dot(axis, cross(from, to));
   const cosine = dot(cross(axis, from), cross(axis, to));
-  return { angle: Math.atan2(sine, cosine), isFree: norm(cross(axis, from)) < ON_AXIS };
+  return { value: Math.atan2(sine, cosine), isFree: norm(cross(axis, from)) < ON_AXIS };
 }

@@ -4,7 +4,8 @@
  * *first* axes meet is the same arm seen from its tool: its joints in the opposite order, backwards.
  *
  * @import { Candidates, Family } from './candidates.js'
- * @import { Line, Vector } from './lines.js'
+ * @import { Line, Rotation, Vector } from './lines.js'
+ * @import { OrthoParallel } from './orthoParallel.js'
  * @import { Pose } from './pose.js'
  * @import { Regional, RegionalSolution } from './regional.js'
  * @import { Screws } from './screws.js'
@@ -17,6 +18,7 @@
  * @property {boolean} isReversed  the lines are those of the arm seen from its tool
  * @property {Pose} homeInverse
  * @property {number} length   m
+ * @property {OrthoParallel | null} fast   the constants of the shorter way, for arms that allow it
  */
 import {
   cross,
@@ -32,8 +34,9 @@ import {
   transposed,
   turn,
 } from './lines.js';
+import { recogniseOrthoParallel, writeOrthoParallelPostures } from './orthoParallel.js';
 import { compose, invert } from './pose.js';
-import { prepareRegional, solveRegional } from './regional.js';
+import { isDeficient, prepareRegional, solveRegional } from './regional.js';
 import { solveTurns } from './wristTurns.js';
 
 /** Lines meet or are parallel within this: arm lengths, radians. */
@@ -46,7 +49,8 @@ const PLAUSIBLE = 1e-4;
  * @param {Screws} screws
  * @returns {WristPartition | null}
  */
-export function recogniseWristPartition({ dof, slides, axes, points, home, length: given }) {
+export function recogniseWristPartition(screws) {
+  const { dof, slides, axes, points, home, length: given } = screws;
   const length = given > 0 ? given : 1;
   /** @type {Line[]} */
   const lines = Array.from({ length: dof }, (_, i) => ({
@@ -55,15 +59,31 @@ export function recogniseWristPartition({ dof, slides, axes, points, home, lengt
     point: [points[3 * i] / length, points[3 * i + 1] / length, points[3 * i + 2] / length],
   }));
   const tcp = /** @type {Vector} */ ([home[12] / length, home[13] / length, home[14] / length]);
-  const reversed = lines.toReversed();
-  const there = wristOf(lines, tcp);
-  const back = wristOf(reversed, tcp);
-  const isReversed = dof - back.wrist <= 3 && back.wrist > there.wrist;
-  const { wrist, centre } = isReversed ? back : there;
-  if (dof - wrist > 3) return null;
-  const ordered = isReversed ? reversed : lines;
-  const regional = prepareRegional(ordered.slice(0, dof - wrist), centre);
-  return { lines: ordered, wrist, centre, regional, isReversed, homeInverse: invert(home), length };
+  const ways = [partitionOf(lines, tcp), partitionOf(lines.toReversed(), tcp)];
+  // The better one is the one that leaves less to the joints before the wrist.
+  const best = ways[1] && ways[1].wrist > (ways[0]?.wrist ?? -1) ? 1 : 0;
+  const partition = ways[best];
+  if (!partition) return null;
+  const fast = recogniseOrthoParallel(screws);
+  return { ...partition, isReversed: best === 1, homeInverse: invert(home), length, fast };
+}
+
+/**
+ * @param {readonly Line[]} lines
+ * @param {Vector} tcp
+ * @returns {Pick<WristPartition, 'lines' | 'wrist' | 'centre' | 'regional'> | null}
+ */
+function partitionOf(lines, tcp) {
+  const { wrist, centre } = wristOf(lines, tcp);
+  const first = lines.length - wrist;
+  if (first > 3) return null;
+  const regional = prepareRegional(lines.slice(0, first), centre);
+  // One joint too many for the place, and the orientation has to decide which: that is not how this works, unless the wrist makes
+  // up for whatever the others turn.
+  const [axis, ...others] = lines.filter(({ slides }) => !slides);
+  const makesUp = wrist === 3 || !axis || (wrist > 0 && others.every((line) => areParallel(line, axis)));
+  if (!makesUp && isDeficient(regional)) return null;
+  return { lines, wrist, centre, regional };
 }
 
 /**
@@ -90,34 +110,75 @@ const areParallel = (a, b) => norm(cross(a.axis, b.axis)) < TOLERANCE;
 /** @param {Line} line @param {Vector} point */
 const distanceTo = (line, point) => norm(minus(point, footOn(line, point)));
 
+const eight = new Float64Array(48);
+const ALL_EIGHT = 0xff;
+
+/** Those of the eight that are there. @param {number} bits */
+const posturesOf = (bits) =>
+  [0, 1, 2, 3, 4, 5, 6, 7].filter((k) => (bits >> k) & 1).map((k) => eight.slice(6 * k, 6 * k + 6));
+
 /**
  * @param {WristPartition} constants
  * @param {ArrayLike<number>} T_start_goal
  * @returns {Candidates}
  */
 export function solveWristPartition(constants, T_start_goal) {
-  const { centre, regional, isReversed, homeInverse, length } = constants;
+  const { centre, regional, isReversed, homeInverse, length, fast } = constants;
+  if (fast) {
+    const bits = writeOrthoParallelPostures(fast, T_start_goal, eight);
+    if (bits <= ALL_EIGHT) return { postures: posturesOf(bits), families: [], isComplete: true };
+  }
   // What the joints have to do together: the goal is this, done to where the tool is at home.
   const forward = compose(T_start_goal, homeInverse);
   const move = isReversed ? invert(forward) : forward;
-  const R = Float64Array.of(move[0], move[1], move[2], move[4], move[5], move[6], move[8], move[9], move[10]);
+  const R = [move[0], move[1], move[2], move[4], move[5], move[6], move[8], move[9], move[10]];
   const p = /** @type {Vector} */ ([move[12] / length, move[13] / length, move[14] / length]);
   const [x, y, z] = rotate(R, centre);
+  const P = /** @type {Vector} */ ([x + p[0], y + p[1], z + p[2]]);
+  const found = allOrientations(constants, solveRegional(regional, P), { R, p });
+  const onAxis = found.postures.length === 0 && constants.wrist < 3 ? broughtToAxis(regional, P) : null;
+  // So near to axis 1 the place tells little of the angle; with fewer than six joints the orientation tells it.
+  return onAxis ? allOrientations(constants, solveRegional(regional, onAxis), { R, p }) : found;
+}
+
+/**
+ * @param {Regional} regional
+ * @param {Vector} P
+ * @returns {Vector | null}  the point of the first axis that P is all but on, if so
+ */
+function broughtToAxis({ before, joints }, P) {
+  const first = before ?? joints[0];
+  if (!first || first.slides) return null;
+  const foot = footOn(first, P);
+  const distance = norm(minus(P, foot));
+  return distance > 0 && distance < PLAUSIBLE ? foot : null;
+}
+
+/**
+ * @param {WristPartition} constants
+ * @param {readonly RegionalSolution[]} places
+ * @param {{ R: Rotation, p: Vector }} goal
+ * @returns {Candidates}
+ */
+function allOrientations(constants, places, goal) {
   /** @type {Candidates} */
   const found = { postures: [], families: [], isComplete: true };
-  for (const solution of solveRegional(regional, [x + p[0], y + p[1], z + p[2]])) {
-    addOrientations(constants, solution, { R, p }, found);
+  for (const place of places) {
+    const isProven = addOrientations(constants, place, goal, found);
+    // Where joints move together there may be more families than the one that a member was taken of.
+    found.isComplete &&= isProven && !place.isTurning;
   }
   return found;
 }
 
 /**
  * @param {WristPartition} constants
- * @param {RegionalSolution} regional
- * @param {{ R: Float64Array, p: Vector }} goal
+ * @param {RegionalSolution} place
+ * @param {{ R: Rotation, p: Vector }} goal
  * @param {Candidates} found  added to
+ * @returns {boolean} whether it is proven that there are no others
  */
-function addOrientations(constants, { q, free, coupled }, goal, found) {
+function addOrientations(constants, { q, free, coupled, isTurning }, goal, found) {
   const { lines, wrist } = constants;
   const first = lines.length - wrist;
   let fixed = turn([0, 0, 1], 0);
@@ -133,26 +194,17 @@ function addOrientations(constants, { q, free, coupled }, goal, found) {
       fixed = product(fixed, turn(line.axis, q[i]));
     }
   });
-  const R = product(goal.R, transposed(fixed));
-  const surplus = Math.max(0, turning.length - 3);
-  const { angles, families } = solveTurns(axes.slice(surplus), R);
-  const posture = (/** @type {number[]} */ some) => {
+  const { angles, families, isComplete } = solveTurns(axes, product(goal.R, transposed(fixed)));
+  const together = isTurning && coupled.some((i) => !lines[i].slides) ? coupled.concat(turning) : coupled;
+  for (const { angles: some, moving } of [...angles.map((each) => ({ angles: each, moving: [] })), ...families]) {
     const all = [...q, ...Array.from({ length: wrist }, () => 0)];
-    some.forEach((angle, i) => (all[turning[surplus + i]] = angle));
-    return all;
-  };
-  const extra = turning.slice(0, surplus);
-  for (const some of angles) {
-    const all = posture(some);
+    some.forEach((angle, i) => (all[turning[i]] = angle));
     if (!isNear(constants, all, goal)) continue;
-    if (surplus === 0 && coupled.length === 0) found.postures.push(jointValues(constants, all));
-    else found.families.push(familyOf(constants, all, surplus > 0 ? turning.concat(coupled) : coupled));
+    const joints = [...moving.map((i) => turning[i]), ...together];
+    if (joints.length === 0) found.postures.push(jointValues(constants, all));
+    else found.families.push(familyOf(constants, all, joints));
   }
-  for (const { angles: some, moving } of families) {
-    const all = posture(some);
-    if (!isNear(constants, all, goal)) continue;
-    found.families.push(familyOf(constants, all, [...moving.map((i) => turning[surplus + i]), ...extra, ...coupled]));
-  }
+  return isComplete;
 }
 
 /**
@@ -180,7 +232,7 @@ function jointValues({ lines, isReversed, length }, q) {
  * Whether a posture comes anywhere near the goal: fewer than six joints meet few goals.
  * @param {WristPartition} constants
  * @param {number[]} q
- * @param {{ R: Float64Array, p: Vector }} goal
+ * @param {{ R: Rotation, p: Vector }} goal
  */
 function isNear({ lines }, q, { R, p }) {
   let rotation = turn([0, 0, 1], 0);

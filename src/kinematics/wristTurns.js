@@ -5,7 +5,8 @@
  *
  * Three turns (Paden–Kahan subproblems; Murray, Li, Sastry 1994, ch. 3): the last axis c must come to g = R c. The first turn does
  * not change its angle to a, so the second one has to bring it to the angle between a and g: a spherical triangle with sides
- * ∠ab, ∠bc and ∠ag, of which the half-angle formulas give the angle at b to the last digits even where a and g are all but in line.
+ * ∠ab, ∠bc and ∠ag, of which the half-angle formulas give the angle at b to the last digits even where a and g are all but in line. More than three
+ * turns are one or more too many: a member is given of the families that they make.
  *
  * @import { Rotation, Vector } from './lines.js'
  *
@@ -16,6 +17,7 @@
  * @typedef {object} TurnSolutions
  * @property {number[][]} angles
  * @property {TurnFamily[]} families
+ * @property {boolean} isComplete  whether it is proven that there are no others
  */
 import {
   angleBetween,
@@ -29,6 +31,7 @@ import {
   transposed,
   turn,
 } from './lines.js';
+import { turnRoots } from './roots.js';
 
 /** Axes are in line if the sine of the angle between them is below this. */
 export const IN_LINE = 1e-9;
@@ -40,6 +43,9 @@ const PLAUSIBLE = 1e-4;
 const NONE = -1e-8;
 const ONE = 4e-16;
 
+/** @type {TurnSolutions} */
+const NOTHING = Object.freeze({ angles: [], families: [], isComplete: true });
+
 /** The angle that turns v about an axis towards w. @param {Vector} axis @param {Vector} v @param {Vector} w */
 const angleAbout = (axis, v, w) => Math.atan2(dot(axis, cross(v, w)), dot(v, w) - dot(axis, v) * dot(axis, w));
 
@@ -47,17 +53,18 @@ const angleAbout = (axis, v, w) => Math.atan2(dot(axis, cross(v, w)), dot(v, w) 
 export const areInLine = (a, b) => norm(cross(a, b)) < IN_LINE;
 
 /**
- * @param {readonly Vector[]} axes  0 to 3 unit vectors
+ * @param {readonly Vector[]} axes  unit vectors
  * @param {Rotation} R
  * @returns {TurnSolutions}
  */
 export function solveTurns(axes, R) {
   const parallel = axes.findIndex((axis, i) => i > 0 && areInLine(axis, axes[i - 1]));
   if (parallel > 0) return withoutTurn(axes, R, parallel);
+  if (axes.length > 3) return moreTurns(axes, R);
   if (axes.length === 3) return threeTurns(/** @type {[Vector, Vector, Vector]} */ (axes), R);
   const angles = axes.length === 0 ? [] : axes.length === 1 ? [lastAngle(axes[0], R)] : twoTurns(axes, R);
   const made = angles.reduce((product_, angle, i) => product(product_, turn(axes[i], angle)), turn([0, 0, 1], 0));
-  return { angles: largestDifference(made, R) < PLAUSIBLE ? [angles] : [], families: [] };
+  return { ...NOTHING, angles: largestDifference(made, R) < PLAUSIBLE ? [angles] : [] };
 }
 
 /** @param {readonly Vector[]} axes @param {Rotation} R */
@@ -80,13 +87,14 @@ function lastAngle(axis, R) {
  * @returns {TurnSolutions}
  */
 function withoutTurn(axes, R, still) {
-  const { angles, families } = solveTurns(
+  const { angles, families, isComplete } = solveTurns(
     axes.filter((_, i) => i !== still),
     R,
   );
   const restore = (/** @type {number[]} */ some) => some.toSpliced(still, 0, 0);
   return {
     angles: [],
+    isComplete,
     families: [
       ...angles.map((some) => ({ angles: restore(some), moving: [still - 1, still] })),
       ...families.map(({ angles: some, moving }) => ({
@@ -106,7 +114,7 @@ function threeTurns([a, b, c], R) {
   const scale = Math.sin(ab) * Math.sin(bc);
   const sine = (Math.sin((ag + ab - bc) / 2) * Math.sin((ag - ab + bc) / 2)) / scale;
   const cosine = (Math.sin((ab + bc - ag) / 2) * Math.sin((ab + bc + ag) / 2)) / scale;
-  if (sine < NONE || cosine < NONE) return { angles: [], families: [] };
+  if (sine < NONE || cosine < NONE) return NOTHING;
   const middle = angleAbout(b, c, a);
   const half = 2 * Math.atan2(Math.sqrt(Math.max(sine, 0)), Math.sqrt(Math.max(cosine, 0)));
   const back = transposed(R);
@@ -118,11 +126,50 @@ function threeTurns([a, b, c], R) {
     return [first, second, angleAbout(c, start, u)];
   };
   if (Math.sin(ag) < IN_LINE) {
-    return { angles: [], families: [{ angles: solutionAt(middle + half, true), moving: [0, 2] }] };
+    return { ...NOTHING, families: [{ angles: solutionAt(middle + half, true), moving: [0, 2] }] };
   }
   // Where a and g come in line both half angles are right to the last digits; at the other ends they are roots of something rounded.
   const isDouble =
     (sine < ONE && Math.abs(ab - bc) > IN_LINE) || (cosine < ONE && Math.abs(ab + bc - Math.PI) > IN_LINE);
   const seconds = isDouble ? [middle + half] : [middle + half, middle - half];
-  return { angles: seconds.map((second) => solutionAt(second, false)), families: [] };
+  return { ...NOTHING, angles: seconds.map((second) => solutionAt(second, false)) };
+}
+
+/**
+ * The first turn is given an angle that the others can do with.
+ * @param {readonly Vector[]} axes  4 or more
+ * @param {Rotation} R
+ * @returns {TurnSolutions}
+ */
+function moreTurns(axes, R) {
+  const moving = axes.map((_, i) => i);
+  for (const angle of [0, ...middleAngles(axes, R)]) {
+    const { angles, families } = solveTurns(axes.slice(1), product(turn(axes[0], -angle), R));
+    const members = [...angles, ...families.map(({ angles: some }) => some)];
+    if (members.length > 0) {
+      return { ...NOTHING, families: members.map((some) => ({ angles: [angle, ...some], moving })) };
+    }
+  }
+  return { ...NOTHING, isComplete: axes.length === 4 };
+}
+
+/**
+ * Angles of the first turn that leave the last three as far as can be from the edge of what they can do: the cosine of the angle ∠ag of
+ * the triangle above is in the middle of where the turn can bring it and they can use it.
+ * @param {readonly Vector[]} axes
+ * @param {Rotation} R
+ */
+function middleAngles(axes, R) {
+  const [a, b, c] = axes.slice(-3);
+  const [o] = axes;
+  const g = rotate(R, c);
+  const still = dot(a, o) * dot(o, g);
+  const x = dot(a, g) - still;
+  const y = -dot(a, cross(o, g));
+  const radius = Math.hypot(x, y);
+  const ab = angleBetween(a, b);
+  const bc = angleBetween(b, c);
+  const low = Math.max(still - radius, Math.cos(ab + bc));
+  const high = Math.min(still + radius, Math.cos(ab - bc));
+  return radius > IN_LINE && low <= high ? turnRoots(x, y, (low + high) / 2 - still) : [];
 }

@@ -17,6 +17,7 @@
  * @property {Method} method
  */
 import { tcpPose } from './forward.js';
+import { isSlide } from './limits.js';
 import { polish } from './polish.js';
 import { poseDifference } from './pose.js';
 import { goalFromStart } from './screws.js';
@@ -25,6 +26,14 @@ import { wayBetween } from './way.js';
 
 /** Two postures nearer than this (radians, arm lengths) are the same one, found twice. */
 const SAME = 1e-8;
+
+/** Two postures nearer than this may be. */
+const NEIGHBOURS = 1e-3;
+
+/** What rounding leaves of a pose that is met exactly: arm lengths, radians. */
+const LAST_DIGIT = 2e-14;
+
+const FULL_TURN = 2 * Math.PI;
 
 const T = new Float64Array(16);
 const difference = new Float64Array(6);
@@ -76,6 +85,7 @@ export function solveEveryPosture(chain, T_base_goal, tolerances) {
   const proven = {
     postures: onlyOnce(
       chain,
+      T_base_goal,
       postures.filter((q) => isThere(chain, T_base_goal, q, tolerances)),
     ),
     families: families.filter(({ q }) => isThere(chain, T_base_goal, q, tolerances)),
@@ -83,10 +93,30 @@ export function solveEveryPosture(chain, T_base_goal, tolerances) {
   return { ...proven, isComplete, method: solver.method };
 }
 
-/** @param {Chain} chain @param {Float64Array[]} postures @returns {Float64Array[]} */
-function onlyOnce(chain, postures) {
+/**
+ * Whether two postures are one solution: they agree; or they are near each other, and half-way between them the pose is met
+ * to the last digit too, as between what rounding makes of a double solution (an elbow that is exactly straight).
+ * @param {Chain} chain
+ * @param {ArrayLike<number>} T_base_goal
+ * @param {Float64Array} a
+ * @param {Float64Array} b
+ */
+function areSame(chain, T_base_goal, a, b) {
+  const way = wayBetween(chain, a, b);
+  if (way < SAME) return true;
+  if (way > NEIGHBOURS) return false;
+  const between = a.map((value, i) => {
+    const away = b[i] - value;
+    return value + (isSlide(chain.packed, i) ? away : away - FULL_TURN * Math.round(away / FULL_TURN)) / 2;
+  });
+  const { positionError, orientationError } = errorsAt(chain, T_base_goal, between);
+  return positionError <= LAST_DIGIT * chain.characteristicLength && orientationError <= LAST_DIGIT;
+}
+
+/** @param {Chain} chain @param {ArrayLike<number>} T_base_goal @param {Float64Array[]} postures @returns {Float64Array[]} */
+function onlyOnce(chain, T_base_goal, postures) {
   /** @type {Float64Array[]} */
   const distinct = [];
-  for (const q of postures) if (!distinct.some((other) => wayBetween(chain, q, other) < SAME)) distinct.push(q);
+  for (const q of postures) if (!distinct.some((other) => areSame(chain, T_base_goal, q, other))) distinct.push(q);
   return distinct;
 }

@@ -19,6 +19,7 @@
  * @property {Screws} screws
  * @property {Solver | null} solver   null for an arm that none of them solves
  */
+import { recogniseGeneralSix, solveGeneralSix } from './generalSix.js';
 import { screwsOf } from './screws.js';
 import { recogniseWristPartition, solveWristPartition } from './wristPartition.js';
 import { recogniseThreeParallel, solveThreeParallel } from './threeParallel.js';
@@ -39,6 +40,7 @@ const kind = (method, isQuick, recognise, solve) => (screws) => {
 const KINDS = [
   kind('wrist-partition', true, recogniseWristPartition, solveWristPartition),
   kind('three-parallel-axes', true, recogniseThreeParallel, solveThreeParallel),
+  kind('elimination', false, recogniseGeneralSix, solveGeneralSix),
 ];
 
 /** @type {WeakMap<Chain, Recognised>} */

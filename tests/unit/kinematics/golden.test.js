@@ -11,7 +11,7 @@ import { eulerAnglesOf, poseFromEulerAngles } from '../../../src/kinematics/eule
 import { linkFrames, tcpPose } from '../../../src/kinematics/forward.js';
 import { finiteDifferenceJacobian, geometricJacobian } from '../../../src/kinematics/jacobian.js';
 import { compose, invert, position, translation } from '../../../src/kinematics/pose.js';
-import { quaternionOf } from '../../../src/kinematics/quaternion.js';
+import { poseFromQuaternion, quaternionOf } from '../../../src/kinematics/quaternion.js';
 import { columnMajor, rotationOf, rowsOf } from './oracle.js';
 import { fixture, publishedArm } from './publishedArms.js';
 
@@ -82,6 +82,8 @@ describe('rotations and frames', () => {
   });
   test('Craig, section 2.8: Euler parameters', () => {
     expectGolden('craig-euler-params', Array.from(quaternionOf(turn([1, 1, 0], 30))));
+    const R = poseFromQuaternion([0, 0, 0], /** @type {number[]} */ (expected('craig-euler-params')));
+    expectGolden('craig-2.8', rotationRows(R));
   });
   test('Craig, equations 2.64 and 2.66: fixed angles there and back', () => {
     const R = poseFromEulerAngles([0, 0, 0], allRadians(10, 20, 30), 'xyz');

@@ -230,7 +230,7 @@ describe('no posture at all', () => {
   });
   test('a budget of nothing is said to be spent', () => {
     const goal = fromLine(inverseCases.puma560.reachable[0]);
-    const none = solve(arm('puma560'), goal, { restarts: 0, maxIterations: 0 });
+    const none = solve(arm('puma560'), goal, { restarts: 0, maxIterations: 0, descentsOnly: true });
     expect([none.status, none.iterations, none.restarts]).toEqual(['budget', 0, 0]);
   });
 });
@@ -295,7 +295,7 @@ describe('fewer than six joints', () => {
   });
   test('a goal out of the plane is met in no task, and the nearest posture is found', () => {
     const result = solve(planar, moved(goalOf(planar, [0.3, 0.8]), [0, 0, 0.1]));
-    expect(result.status).toBe('stalled');
+    expect(result).toMatchObject({ status: 'unreachable', reason: 'distance', shortBy: expect.closeTo(0.1, 9) });
     expect(result.positionError).toBeCloseTo(0.1, 6);
   });
   test('an exactly opposite tool axis is a tilt of a half turn, not of none', () => {

@@ -18,6 +18,9 @@ const POINT = 1e-9;
 /** An ellipse flatter than this is taken for flat; the error is polished away. */
 const FLAT = 1e-6;
 
+/** Two that are both rather flat meet in pairs of points that come close together: likewise if the product of the two is below this. */
+const BOTH_FLAT = 1e-9;
+
 /** What curves may miss each other by and still be said to meet: what comes of it is checked. */
 const PLAUSIBLE = 1e-5;
 
@@ -37,7 +40,8 @@ const less = (a, b) => [a[0] - b[0], a[1] - b[1]];
  */
 export function meetings(one, two) {
   if (isPoint(one) || isPoint(two)) return atPoint(one, two);
-  const found = isFlat(two) || isFlat(one) ? alongFlat(one, two) : round(one, two);
+  const areFlat = one.width * two.width <= BOTH_FLAT * one.size * two.size;
+  const found = isFlat(one) || isFlat(two) || areFlat ? alongFlat(one, two) : round(one, two);
   return found.map((meeting) => (meeting.isOverlap ? meeting : refined(one, two, meeting)));
 }
 
@@ -55,8 +59,9 @@ function placesWhere({ kind, start, first, second, size }, direction, value) {
   const a = times(direction, first);
   const b = times(direction, second);
   if (Math.hypot(a, b) <= FLAT * size) return null;
-  const c = value - times(direction, start);
-  return kind === 'turns' ? turnRoots(a, b, c) : quadraticRoots(b, a, -c);
+  const from = times(direction, start);
+  const scale = Math.abs(value) + Math.abs(from);
+  return kind === 'turns' ? turnRoots(a, b, value - from, scale) : quadraticRoots(b, a, from - value, scale);
 }
 
 /**
@@ -110,7 +115,7 @@ const reachAcross = ({ first, second, size }, { normal }) =>
 
 /** @param {Curve} one @param {Curve} two @returns {Meeting[]} */
 function alongFlat(one, two) {
-  const isTwoFlat = isFlat(two) && (!isFlat(one) || reachAcross(one, two) >= reachAcross(two, one));
+  const isTwoFlat = isFlat(one) === isFlat(two) ? reachAcross(one, two) >= reachAcross(two, one) : isFlat(two);
   const flat = isTwoFlat ? two : one;
   const other = isTwoFlat ? one : two;
   const level = times(flat.normal, flat.start);

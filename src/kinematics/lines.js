@@ -46,6 +46,19 @@ export function squareTo(axis) {
 /** The angle between two unit vectors, right to the last digits at both ends. @param {Vector} a @param {Vector} b */
 export const angleBetween = (a, b) => Math.atan2(norm(cross(a, b)), dot(a, b));
 
+/**
+ * The angle of the turn about an axis that takes v towards w. From their parts across the axis, which keep their digits where v and w are
+ * all but along it.
+ * @param {ArrayLike<number>} axis unit
+ * @param {ArrayLike<number>} v
+ * @param {ArrayLike<number>} w
+ */
+export function angleAbout(axis, v, w) {
+  const a = cross(axis, v);
+  const b = cross(axis, w);
+  return Math.atan2(dot(axis, cross(a, b)), dot(a, b));
+}
+
 /** A turn by Rodrigues' formula. @param {Vector} axis @param {number} angle @returns {Rotation} */
 export function turn([x, y, z], angle) {
   const c = Math.cos(angle);

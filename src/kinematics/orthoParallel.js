@@ -26,7 +26,8 @@
  * @property {number} angle5     between axis 4 and axis 6, about axis 5
  * @property {Float64Array} centre  of the wrist, seen from the TCP
  * @property {Float64Array} hand    9 numbers, columns: a frame with axis 6 as its z and axis 5 as its y, seen from the TCP
- * @property {number} onAxis     what is nearer to an axis than this is on it, m
+ * @property {number} onAxis     what is nearer to axis 1 than this is on it, m
+ * @property {number} folded     likewise to axis 2
  */
 import { cross, dot, minus, nearestTo, norm } from './lines.js';
 
@@ -38,8 +39,10 @@ export const SHOULDER_SINGULAR = 0x1000;
 export const FOLDED = 0x2000;
 
 const TOLERANCE = 1e-9;
+/** Nearer to axis 2, in arm lengths, the elbow's angle is known to half the digits only. */
+const FOLDED_ARM = 2e-7;
 /** Relative discriminants: as small as rounding, and as negative as from a goal that is rounded (roots.js). */
-const ONE = 4e-15;
+const ONE = 1e-14;
 const NONE = -1e-8;
 
 /**
@@ -87,6 +90,7 @@ export function recogniseOrthoParallel({ dof, slides, axes, points, home, length
     centre: Float64Array.from(fromTcp(minus(W, home.subarray(12, 15)))),
     hand: Float64Array.from([cross(a5, a6), a5, a6].flatMap(fromTcp)),
     onAxis: TOLERANCE * length,
+    folded: FOLDED_ARM * length,
   };
 }
 
@@ -105,7 +109,7 @@ export function recogniseOrthoParallel({ dof, slides, axes, points, home, length
  * @returns {number}
  */
 export function writeOrthoParallelPostures(arm, T_start_goal, out) {
-  const { heading, side, shoulderX, shoulderZ, upper, fore, upperAngle, elbowAngle, sense3, onAxis } = arm;
+  const { heading, side, shoulderX, shoulderZ, upper, fore, upperAngle, elbowAngle, sense3, onAxis, folded } = arm;
   const { cosine4, sine4, angle4, angle5, centre, hand } = arm;
   const r00 = T_start_goal[0];
   const r10 = T_start_goal[1];
@@ -158,7 +162,7 @@ export function writeOrthoParallelPostures(arm, T_start_goal, out) {
     const isStretched = slack <= ONE;
     if (isStretched) C = C < 0 ? -1 : 1;
     const bend = isStretched ? 0 : Math.sqrt(slack);
-    const isOnAxis2 = Math.sqrt(distance) <= onAxis;
+    const isOnAxis2 = distance <= folded * folded;
     if (isOnAxis2) bits |= FOLDED;
 
     let cosine1 = px * forward + py * side;

@@ -24,13 +24,16 @@
  * @property {boolean} isTurning  whether that turns the wrist
  */
 import { lieAlong, meetings } from './curveMeetings.js';
-import { cross, dot, minus, moved, norm } from './lines.js';
+import { angleAbout, cross, dot, minus, moved, norm } from './lines.js';
 import { curveOf, planeOf } from './profileCurves.js';
 
-/** A centre nearer to an axis than this (in arm lengths) is on it. */
-export const ON_AXIS = 1e-9;
+/**
+ * A centre nearer to the axis of the middle joint than this (in arm lengths) is on it. Of the distance the square is found, so
+ * near the axis it is known to half the digits only.
+ */
+const FOLDED = 2e-7;
 
-/** And one farther than this is not, even if turning about it makes no difference. */
+/** A centre farther from the axis of another joint than this is not on it, even if a turn makes no difference. */
 const FAR_FROM_AXIS = 1e-6;
 
 /**
@@ -90,8 +93,5 @@ const isTied = (joint, radius) => Boolean(joint?.slides) || radius > FAR_FROM_AX
 function middleValue({ slides, axis, point }, S, Q) {
   if (slides) return { value: dot(axis, minus(Q, S)), isFree: false };
   const from = minus(S, point);
-  const to = minus(Q, point);
-  const sine = dot(axis, cross(from, to));
-  const cosine = dot(cross(axis, from), cross(axis, to));
-  return { value: Math.atan2(sine, cosine), isFree: norm(cross(axis, from)) < ON_AXIS };
+  return { value: angleAbout(axis, from, minus(Q, point)), isFree: norm(cross(axis, from)) < FOLDED };
 }

@@ -5,25 +5,30 @@
  */
 
 /** Relative discriminants below this are rounding: it parts two angles by no more than 1e-7. */
-const ONE = 4e-15;
+const ONE = 1e-14;
 
 /** Negative ones down to this may come from a goal that is rounded. */
 const NONE = -1e-8;
+
+/** By how much a sum of numbers of order 1 may be off. */
+const GRAIN = 1e-15;
 
 /**
  * The angles with a cos x + b sin x = c; both a and b zero is for the caller to exclude.
  * @param {number} a
  * @param {number} b
  * @param {number} c
+ * @param {number} [size]  of what c is the difference of
  * @returns {number[]} 0, 1 or 2
  */
-export function turnRoots(a, b, c) {
+export function turnRoots(a, b, c, size = 0) {
   const radius = Math.hypot(a, b);
   const cosine = c / radius;
   const square = (1 - cosine) * (1 + cosine);
-  if (!(square >= NONE)) return [];
+  const noise = (GRAIN * size) / radius;
+  if (!(square >= NONE - noise)) return [];
   const middle = Math.atan2(b, a);
-  if (square < ONE) return [c < 0 ? middle + Math.PI : middle];
+  if (square < ONE + noise) return [c < 0 ? middle + Math.PI : middle];
   const half = Math.atan2(Math.sqrt(square), cosine);
   return [middle + half, middle - half];
 }
@@ -33,16 +38,18 @@ export function turnRoots(a, b, c) {
  * @param {number} a
  * @param {number} b
  * @param {number} c
+ * @param {number} [size]  of what c is the difference of
  * @returns {number[]} 0, 1 or 2
  */
-export function quadraticRoots(a, b, c) {
-  const size = Math.max(Math.abs(a), Math.abs(b), Math.abs(c));
-  if (Math.abs(a) <= 1e-14 * size) return Math.abs(b) <= 1e-14 * size ? [] : [-c / b];
+export function quadraticRoots(a, b, c, size = 0) {
+  const largest = Math.max(Math.abs(a), Math.abs(b), Math.abs(c));
+  if (Math.abs(a) <= 1e-14 * largest) return Math.abs(b) <= 1e-14 * largest ? [] : [-c / b];
   const half = b / 2;
   const square = half * half - a * c;
   const scale = half * half + Math.abs(a * c);
-  if (square < NONE * scale) return [];
-  if (square <= ONE * scale) return [-half / a];
+  const noise = GRAIN * Math.abs(a) * size;
+  if (square < NONE * scale - noise) return [];
+  if (square <= ONE * scale + noise) return [-half / a];
   const larger = -(half + (half < 0 ? -1 : 1) * Math.sqrt(square));
   return [larger / a, c / larger];
 }

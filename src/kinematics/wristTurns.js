@@ -20,6 +20,7 @@
  * @property {boolean} isComplete  whether it is proven that there are no others
  */
 import {
+  angleAbout,
   angleBetween,
   cross,
   dot,
@@ -45,9 +46,6 @@ const ONE = 4e-16;
 
 /** @type {TurnSolutions} */
 const NOTHING = Object.freeze({ angles: [], families: [], isComplete: true });
-
-/** The angle that turns v about an axis towards w. @param {Vector} axis @param {Vector} v @param {Vector} w */
-const angleAbout = (axis, v, w) => Math.atan2(dot(axis, cross(v, w)), dot(v, w) - dot(axis, v) * dot(axis, w));
 
 /** @param {Vector} a @param {Vector} b */
 export const areInLine = (a, b) => norm(cross(a, b)) < IN_LINE;

@@ -13,6 +13,7 @@
  * @import { Candidates } from './candidates.js'
  * @import { Elimination } from './elimination.js'
  * @import { Loop } from './loopClosure.js'
+ * @import { Report } from './loopSolutions.js'
  * @import { Screws } from './screws.js'
  *
  * @typedef {object} GeneralSix
@@ -25,21 +26,32 @@ import { fitCircle, SAMPLES } from './circleFit.js';
 import { DQ, linesOf, loopProduct, writeGoalMotion } from './dualQuaternion.js';
 import { prepareElimination } from './elimination.js';
 import { familiesAmong } from './loopFamilies.js';
-import { addFrom, followZeros, isAtZero, isClear, isExplained, zerosOf } from './loopSolutions.js';
+import {
+  addFrom,
+  followZeros,
+  isAtZero,
+  isClear,
+  isExplained,
+  lookBeside,
+  mostZeros,
+  zerosOf,
+} from './loopSolutions.js';
 import { createRandom } from './random.js';
 
 const JOINTS = 6;
 
 /** @typedef {readonly [Elimination['order'], number]} OrderAndCount */
-/** @type {readonly OrderAndCount[]} */
+/** The more exact ones, and those for arms of which few neighbours are skew. @type {readonly (readonly OrderAndCount[])[]} */
 const ORDERS = [
-  ['before', 6],
-  ['after', 6],
-  ['between', 4],
+  [
+    ['before', 6],
+    ['after', 6],
+  ],
+  [['between', 4]],
 ];
 
 /** Postures that the eliminations are tried on. More make a better choice, and a slower first solution. */
-const TRIALS = 6;
+const TRIALS = 3;
 
 /** Eliminations that are kept. */
 const KEPT = 6;
@@ -49,6 +61,9 @@ const COST = { lost: 1000, doubt: 30 };
 
 /** A sixth joint at zero, up to this (radians): the goal may have been typed with six decimals. */
 const STANDS_STILL = 2e-6;
+
+/** Where all are in doubt, so many are followed nevertheless: those that allow fewest zeros. */
+const SECOND_LOOKS = 3;
 
 /** Where no elimination says anything, postures are looked for from so many starts. */
 const STARTS = 60;
@@ -123,14 +138,20 @@ export function recogniseGeneralSix(screws) {
   const slides = Object.freeze(isFive ? [...screws.slides, false] : [...screws.slides]);
   const even = fitCircle(new Float64Array(SAMPLES).fill(1));
   if (!even) return null;
-  const ranked = ORDERS.flatMap(([order, count]) =>
-    Array.from({ length: count }, (_, first) => prepareElimination(lines, slides, order, first, even)),
-  )
-    .filter((elimination) => elimination !== null)
-    .map((elimination) => ({ elimination, cost: costOf(elimination, { lines, slides }) }))
-    .filter(({ cost }) => cost < Infinity)
-    .sort((a, b) => a.cost - b.cost);
-  const eliminations = varied(ranked.map(({ elimination }) => elimination)).slice(0, KEPT);
+  /** @type {{ elimination: Elimination, cost: number }[]} */
+  const useful = [];
+  for (const orders of ORDERS) {
+    if (useful.length >= KEPT) break;
+    for (const [order, count] of orders) {
+      for (let first = 0; first < count; first++) {
+        const elimination = prepareElimination(lines, slides, order, first, even);
+        const cost = elimination ? costOf(elimination, { lines, slides }) : Infinity;
+        if (elimination && cost < Infinity) useful.push({ elimination, cost });
+      }
+    }
+  }
+  useful.sort((a, b) => a.cost - b.cost);
+  const eliminations = varied(useful.map(({ elimination }) => elimination)).slice(0, KEPT);
   return eliminations.length === 0 ? null : { screws, lines, slides, eliminations };
 }
 
@@ -143,25 +164,38 @@ export function recogniseGeneralSix(screws) {
 function solveLoop(eliminations, loop) {
   /** @type {Float64Array[]} */
   const found = [];
+  /** @type {Report[]} */
   const reports = [];
+  /** @type {{ elimination: Elimination, report: Report }[]} */
   const unclear = [];
   for (const elimination of eliminations) {
     const report = zerosOf(elimination, loop);
     if (!report) continue;
     reports.push(report);
     if (!isClear(report)) unclear.push({ elimination, report });
-    else {
-      followZeros(elimination, loop, report, found);
-      if (isExplained(report, loop, found)) return { found, isComplete: true };
-    }
+    else if (followsFully(elimination, loop, report, found)) return { found, isComplete: true };
   }
-  for (const { elimination, report } of unclear) {
+  unclear.sort((a, b) => mostZeros(a.report) - mostZeros(b.report) || 0);
+  for (const { elimination, report } of unclear.slice(0, SECOND_LOOKS)) {
     zerosOf(elimination, loop); // for what is remembered of it
-    followZeros(elimination, loop, report, found);
-    if (isExplained(report, loop, found)) return { found, isComplete: true };
+    if (followsFully(elimination, loop, report, found)) return { found, isComplete: true };
   }
   if (reports.length === 0) searchFrom(STARTS, loop, found);
-  return { found, isComplete: reports.some((report) => isExplained(report, loop, found)) };
+  return { found, isComplete: reports.some((report) => isExplained(report, loop, found, true)) };
+}
+
+/**
+ * @param {Elimination} elimination
+ * @param {Loop} loop
+ * @param {Report} report
+ * @param {Float64Array[]} found  new solutions are added
+ * @returns {boolean} whether these are all
+ */
+function followsFully(elimination, loop, report, found) {
+  followZeros(elimination, loop, report, found);
+  if (isExplained(report, loop, found)) return true;
+  lookBeside(loop, found);
+  return isExplained(report, loop, found, true);
 }
 
 /** @param {number} starts @param {Loop} loop @param {Float64Array[]} found */

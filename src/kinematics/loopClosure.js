@@ -14,7 +14,7 @@ import { conjugate, DQ, multiply } from './dualQuaternion.js';
 
 const JOINTS = 6;
 
-/** Rounding leaves about this much of a closed loop open. */
+/** Rounding leaves this much of a closed loop open, and usually less. */
 const GRAIN = 2e-15;
 
 /** Less than this is closed, whatever kept the rest from vanishing. */
@@ -65,20 +65,28 @@ function measure({ lines, slides, goal }, q) {
 }
 
 /**
+ * How far from closed the loop is at q: the largest part of the twist that is left over, in radians and arm lengths.
+ * @param {Loop} loop
+ * @param {Float64Array} q
+ */
+export const gapAt = (loop, q) => measure(loop, q);
+
+/**
  * From a posture that is nearly a solution to the solution.
  * @param {Loop} loop
  * @param {Float64Array} q  radians and arm lengths; changed in place
  * @param {number} most  steps
+ * @param {number} [grain]  what is good enough; 0 is as good as it gets
  * @returns {boolean} whether the loop is closed
  */
-export function closeLoop(loop, q, most) {
+export function closeLoop(loop, q, most, grain = GRAIN) {
   let open = measure(loop, q);
   let least = Infinity;
   for (let k = 0; k < most; k++) {
     if (open < least) {
       least = open;
       lowest.set(q);
-      if (open <= GRAIN) break;
+      if (open <= grain) break;
     } else if (least < CLOSED) break;
     if (factorise(jacobian) < SMALLEST_PIVOT) break;
     solveFactorised(jacobian, twist, step);

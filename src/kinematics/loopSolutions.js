@@ -12,28 +12,39 @@
 import { posturesAt } from './backSubstitution.js';
 import { circleZeros } from './circleRoots.js';
 import { eliminate } from './elimination.js';
-import { closeLoop, freeDirection } from './loopClosure.js';
+import { closeLoop, freeDirection, gapAt } from './loopClosure.js';
 
 const FULL_TURN = 2 * Math.PI;
 
 /** A polynomial that stands out of its noise by less than this says nothing. */
 const SIGNAL = 10;
 
+/** Two postures nearer than this (radians, arm lengths) are one. */
+const SAME = 1e-8;
+
 /**
- * Two postures nearer than this (radians, arm lengths) are one. Where a solution is double, rounding in the closed loop
- * (1e-15) is 3e-8 of a joint; two that are each 1e-6 from a singularity are ten times farther apart.
+ * Where a solution is double, or worse, rounding leaves room for many postures around it that close the loop nearly as well.
+ * Two postures nearer than this are one if the posture half-way closes the loop too, but for so many times what they leave
+ * open. (Two that are each 1e-6 from a singularity leave 1e-13 open half-way between them, and 1e-15 themselves.)
  */
-const SAME = 2e-7;
+const PERHAPS_SAME = 0.02;
+const HALF_WAY = 4;
+const ROUNDING = 5e-16;
+
+/** Where a zero leads nowhere, so many of its starts get a second chance. */
+const RETRIES = 2;
 
 /** Newton steps from a posture that should be a solution but for rounding; and from beside one that is nearly double. */
 const STEPS = 12;
 const STEPS_BESIDE = 40;
 
-/** Where to start beside a nearly double solution: in widths of the cluster along the singular direction. */
-const BESIDE = [4, -4, 60, -60];
+/** Where to start beside a nearly double solution, along the singular direction: near it and not so near. */
+const BESIDE = [1, -1, 30, -30];
+const NEAR = 1e-5;
 
-/** The last pivot over the first: a posture below this is a double solution, as far as rounding lets one see. */
+/** The last pivot over the first: a posture below this may be a double solution, or has another one beside it. */
 const SINGULAR = 1e-6;
+const NEARLY_SINGULAR = 1e-3;
 
 /** @param {number} angle @returns {number} from −π to π */
 export const wrapped = (angle) => angle - FULL_TURN * Math.round(angle / FULL_TURN);
@@ -52,10 +63,20 @@ function wayBetween(slides, a, b) {
   return most;
 }
 
-/** @param {readonly boolean[]} slides @param {Float64Array} q @param {readonly Float64Array[]} found */
-function isNew(slides, q, found) {
-  for (const other of found) if (wayBetween(slides, q, other) < SAME) return false;
-  return true;
+const between = new Float64Array(6);
+
+/**
+ * @param {Loop} loop
+ * @param {Float64Array} q
+ * @param {Float64Array} other
+ */
+function isSame(loop, q, other) {
+  const way = wayBetween(loop.slides, q, other);
+  if (way < SAME || way > PERHAPS_SAME) return way < SAME;
+  for (let i = 0; i < q.length; i++) {
+    between[i] = other[i] + (loop.slides[i] ? q[i] - other[i] : wrapped(q[i] - other[i])) / 2;
+  }
+  return gapAt(loop, between) <= HALF_WAY * Math.max(gapAt(loop, q), gapAt(loop, other), ROUNDING);
 }
 
 /** How far from a zero its solutions may be, in the hidden joint. @param {Zero} zero */
@@ -75,6 +96,9 @@ export function zerosOf(elimination, loop) {
 /** Whether the hidden joint is at one of the zeros. @param {Report} report @param {Float64Array} q */
 export const isAtZero = ({ hidden, zeros }, q) =>
   zeros.some((zero) => Math.abs(wrapped(q[hidden] - zero.angle)) < reachOf(zero));
+
+/** How many zeros there may be. @param {Report} report */
+export const mostZeros = ({ zeros }) => zeros.reduce((sum, { count }) => sum + count, 0);
 
 /** Whether every zero is known to be one. @param {Report} report */
 export const isClear = ({ zeros }) => zeros.every(({ count }) => count === 1);
@@ -96,17 +120,39 @@ export function followZeros(elimination, loop, { hidden, zeros }, found) {
     let isMet = false;
     for (const start of starts) {
       const q = start.slice();
-      if (!addFrom(loop, q, STEPS, found)) continue;
-      isMet ||= isHere(q);
+      if (addFrom(loop, q, STEPS, found) && isHere(q)) isMet = true;
     }
-    if (isMet && zero.count === 1) continue;
-    for (const start of starts) {
+    if (isMet) continue;
+    for (const start of starts.slice(0, RETRIES)) {
       freeDirection(loop, start, direction);
-      for (const way of BESIDE) {
-        const q = start.map((value, i) => value + way * (zero.width + 1e-6) * direction[i]);
-        addFrom(loop, q, STEPS_BESIDE, found);
-      }
+      addBeside(loop, start, 4 * zero.width + NEAR, found);
     }
+  }
+}
+
+/**
+ * Beside a nearly singular solution there is another one, or it is double: which, is seen by starting there.
+ * @param {Loop} loop
+ * @param {Float64Array[]} found  new solutions are added
+ */
+export function lookBeside(loop, found) {
+  for (const q of found.slice()) {
+    if (freeDirection(loop, q, direction) > NEARLY_SINGULAR) continue;
+    closeLoop(loop, q, STEPS, 0);
+    addBeside(loop, q.slice(), NEAR, found);
+  }
+}
+
+/**
+ * @param {Loop} loop
+ * @param {Float64Array} q
+ * @param {number} way   along `direction`, radians or arm lengths of the joint that moves most
+ * @param {Float64Array[]} found
+ */
+function addBeside(loop, q, way, found) {
+  for (const share of BESIDE) {
+    const start = q.map((value, i) => value + share * way * direction[i]);
+    addFrom(loop, start, STEPS_BESIDE, found, 0);
   }
 }
 
@@ -115,12 +161,15 @@ export function followZeros(elimination, loop, { hidden, zeros }, found) {
  * @param {Float64Array} q   changed in place, kept if it is a new solution then
  * @param {number} steps
  * @param {Float64Array[]} found
+ * @param {number} [grain]  as for closeLoop
  * @returns {boolean} whether it is a solution, new or not
  */
-export function addFrom(loop, q, steps, found) {
-  if (!closeLoop(loop, q, steps)) return false;
+export function addFrom(loop, q, steps, found, grain) {
+  if (!closeLoop(loop, q, steps, grain)) return false;
   for (let i = 0; i < q.length; i++) if (!loop.slides[i]) q[i] = wrapped(q[i]);
-  if (isNew(loop.slides, q, found)) found.push(q);
+  const known = found.find((other) => isSame(loop, q, other));
+  if (!known) found.push(q);
+  else if (gapAt(loop, q) < gapAt(loop, known)) known.set(q);
   return true;
 }
 
@@ -141,20 +190,20 @@ function grouped(zeros) {
 }
 
 /**
- * Whether zeros and solutions correspond: as many solutions at each as it stands for, and none elsewhere. A singular posture
- * stands for two solutions.
+ * Whether zeros and solutions correspond: as many solutions at each as it stands for, and none elsewhere.
  * @param {Report} report
  * @param {Loop} loop
  * @param {Float64Array[]} found
+ * @param {boolean} [areDoubles]  whether singular postures stand for two: when `lookBeside` has found no others
  */
-export function isExplained({ hidden, zeros }, loop, found) {
+export function isExplained({ hidden, zeros }, loop, found, areDoubles = false) {
   let count = 0;
   for (const group of grouped(zeros)) {
     const here = found.filter((q) => group.some((zero) => Math.abs(wrapped(q[hidden] - zero.angle)) < reachOf(zero)));
     const expected = group.reduce((sum, zero) => sum + zero.count, 0);
+    const weight = (/** @type {Float64Array} */ q) => (freeDirection(loop, q, direction) < SINGULAR ? 2 : 1);
     const isEnough =
-      here.length === expected ||
-      here.reduce((sum, q) => sum + (freeDirection(loop, q, direction) < SINGULAR ? 2 : 1), 0) === expected;
+      here.length === expected || (areDoubles && here.reduce((sum, q) => sum + weight(q), 0) === expected);
     if (!isEnough) return false;
     count += here.length;
   }

@@ -1,91 +1,118 @@
 /**
- * Solve H x = g for a symmetric positive definite H by Cholesky's factorisation (Golub & Van Loan, section 4.2).
- * @param {Float64Array} H  n · n, row by row; only the lower triangle is read; overwritten
+ * Factors of each size, used again and again: nothing here calls back.
+ * @type {Float64Array[]}
+ */
+const factors = [];
+
+/**
+ * Solve (H + damping) x = g for a symmetric positive definite H by Cholesky's factorisation without its square roots, L D Lᵀ
+ * (Golub & Van Loan, section 4.1).
+ * @param {Float64Array} H  n · n, row by row; only the lower triangle is read
  * @param {Float64Array} g  n
  * @param {Float64Array} x  n, filled
- * @returns {boolean} false if H is not positive definite
+ * @param {number} [damping]  added to the diagonal
+ * @returns {boolean} false if the sum is not positive definite
  */
-export function solveCholesky(H, g, x) {
+export function solveCholesky(H, g, x, damping = 0) {
   const n = g.length;
-  if (n === 6) return solveSix(H, g, x);
+  if (n === 6) return solveSix(H, g, x, damping);
+  const L = (factors[n] ??= new Float64Array(n * n)); // below the diagonal L, on it 1 / D, above it L D turned over
   for (let j = 0; j < n; j++) {
-    let sum = H[j * n + j];
-    for (let k = 0; k < j; k++) sum -= H[j * n + k] * H[j * n + k];
-    if (!(sum > 0)) return false;
-    const inverse = 1 / Math.sqrt(sum);
-    H[j * n + j] = inverse; // the diagonal keeps 1 / L_jj: nothing is divided again
+    let pivot = H[j * n + j] + damping;
+    for (let k = 0; k < j; k++) pivot -= L[j * n + k] * L[k * n + j];
+    if (!(pivot > 0)) return false;
+    const inverse = 1 / pivot;
+    L[j * n + j] = inverse;
     for (let i = j + 1; i < n; i++) {
       let below = H[i * n + j];
-      for (let k = 0; k < j; k++) below -= H[i * n + k] * H[j * n + k];
-      H[i * n + j] = below * inverse;
+      for (let k = 0; k < j; k++) below -= L[k * n + i] * L[j * n + k];
+      L[j * n + i] = below;
+      L[i * n + j] = below * inverse;
     }
   }
   for (let i = 0; i < n; i++) {
     let sum = g[i];
-    for (let k = 0; k < i; k++) sum -= H[i * n + k] * x[k];
-    x[i] = sum * H[i * n + i];
+    for (let k = 0; k < i; k++) sum -= L[i * n + k] * x[k];
+    x[i] = sum;
   }
   for (let i = n - 1; i >= 0; i--) {
-    let sum = x[i];
-    for (let k = i + 1; k < n; k++) sum -= H[k * n + i] * x[k];
-    x[i] = sum * H[i * n + i];
+    let sum = x[i] * L[i * n + i];
+    for (let k = i + 1; k < n; k++) sum -= L[k * n + i] * x[k];
+    x[i] = sum;
   }
   return true;
 }
 
 /**
- * The same for six unknowns, written out: most arms have six joints, and this is half of the time that a step takes.
+ * The same for six unknowns, written out: most arms have six joints, and loops take three times as long. d is D, e its
+ * inverse, c the column below before it is divided.
  * @param {Float64Array} H
  * @param {Float64Array} g
  * @param {Float64Array} x
+ * @param {number} damping
  * @returns {boolean}
  */
-function solveSix(H, g, x) {
-  const s0 = H[0];
-  if (!(s0 > 0)) return false;
-  const d0 = 1 / Math.sqrt(s0);
-  const l10 = H[6] * d0;
-  const l20 = H[12] * d0;
-  const l30 = H[18] * d0;
-  const l40 = H[24] * d0;
-  const l50 = H[30] * d0;
-  const s1 = H[7] - l10 * l10;
-  if (!(s1 > 0)) return false;
-  const d1 = 1 / Math.sqrt(s1);
-  const l21 = (H[13] - l20 * l10) * d1;
-  const l31 = (H[19] - l30 * l10) * d1;
-  const l41 = (H[25] - l40 * l10) * d1;
-  const l51 = (H[31] - l50 * l10) * d1;
-  const s2 = H[14] - l20 * l20 - l21 * l21;
-  if (!(s2 > 0)) return false;
-  const d2 = 1 / Math.sqrt(s2);
-  const l32 = (H[20] - l30 * l20 - l31 * l21) * d2;
-  const l42 = (H[26] - l40 * l20 - l41 * l21) * d2;
-  const l52 = (H[32] - l50 * l20 - l51 * l21) * d2;
-  const s3 = H[21] - l30 * l30 - l31 * l31 - l32 * l32;
-  if (!(s3 > 0)) return false;
-  const d3 = 1 / Math.sqrt(s3);
-  const l43 = (H[27] - l40 * l30 - l41 * l31 - l42 * l32) * d3;
-  const l53 = (H[33] - l50 * l30 - l51 * l31 - l52 * l32) * d3;
-  const s4 = H[28] - l40 * l40 - l41 * l41 - l42 * l42 - l43 * l43;
-  if (!(s4 > 0)) return false;
-  const d4 = 1 / Math.sqrt(s4);
-  const l54 = (H[34] - l50 * l40 - l51 * l41 - l52 * l42 - l53 * l43) * d4;
-  const s5 = H[35] - l50 * l50 - l51 * l51 - l52 * l52 - l53 * l53 - l54 * l54;
-  if (!(s5 > 0)) return false;
-  const d5 = 1 / Math.sqrt(s5);
-  const y0 = g[0] * d0;
-  const y1 = (g[1] - l10 * y0) * d1;
-  const y2 = (g[2] - l20 * y0 - l21 * y1) * d2;
-  const y3 = (g[3] - l30 * y0 - l31 * y1 - l32 * y2) * d3;
-  const y4 = (g[4] - l40 * y0 - l41 * y1 - l42 * y2 - l43 * y3) * d4;
-  const y5 = (g[5] - l50 * y0 - l51 * y1 - l52 * y2 - l53 * y3 - l54 * y4) * d5;
-  const x5 = y5 * d5;
-  const x4 = (y4 - l54 * x5) * d4;
-  const x3 = (y3 - l43 * x4 - l53 * x5) * d3;
-  const x2 = (y2 - l32 * x3 - l42 * x4 - l52 * x5) * d2;
-  const x1 = (y1 - l21 * x2 - l31 * x3 - l41 * x4 - l51 * x5) * d1;
-  const x0 = (y0 - l10 * x1 - l20 * x2 - l30 * x3 - l40 * x4 - l50 * x5) * d0;
+function solveSix(H, g, x, damping) {
+  const d0 = H[0] + damping;
+  if (!(d0 > 0)) return false;
+  const e0 = 1 / d0;
+  const c10 = H[6];
+  const l10 = c10 * e0;
+  const c20 = H[12];
+  const l20 = c20 * e0;
+  const c30 = H[18];
+  const l30 = c30 * e0;
+  const c40 = H[24];
+  const l40 = c40 * e0;
+  const c50 = H[30];
+  const l50 = c50 * e0;
+  const d1 = H[7] + damping - c10 * l10;
+  if (!(d1 > 0)) return false;
+  const e1 = 1 / d1;
+  const c21 = H[13] - c20 * l10;
+  const l21 = c21 * e1;
+  const c31 = H[19] - c30 * l10;
+  const l31 = c31 * e1;
+  const c41 = H[25] - c40 * l10;
+  const l41 = c41 * e1;
+  const c51 = H[31] - c50 * l10;
+  const l51 = c51 * e1;
+  const d2 = H[14] + damping - c20 * l20 - c21 * l21;
+  if (!(d2 > 0)) return false;
+  const e2 = 1 / d2;
+  const c32 = H[20] - c30 * l20 - c31 * l21;
+  const l32 = c32 * e2;
+  const c42 = H[26] - c40 * l20 - c41 * l21;
+  const l42 = c42 * e2;
+  const c52 = H[32] - c50 * l20 - c51 * l21;
+  const l52 = c52 * e2;
+  const d3 = H[21] + damping - c30 * l30 - c31 * l31 - c32 * l32;
+  if (!(d3 > 0)) return false;
+  const e3 = 1 / d3;
+  const c43 = H[27] - c40 * l30 - c41 * l31 - c42 * l32;
+  const l43 = c43 * e3;
+  const c53 = H[33] - c50 * l30 - c51 * l31 - c52 * l32;
+  const l53 = c53 * e3;
+  const d4 = H[28] + damping - c40 * l40 - c41 * l41 - c42 * l42 - c43 * l43;
+  if (!(d4 > 0)) return false;
+  const e4 = 1 / d4;
+  const c54 = H[34] - c50 * l40 - c51 * l41 - c52 * l42 - c53 * l43;
+  const l54 = c54 * e4;
+  const d5 = H[35] + damping - c50 * l50 - c51 * l51 - c52 * l52 - c53 * l53 - c54 * l54;
+  if (!(d5 > 0)) return false;
+  const e5 = 1 / d5;
+  const y0 = g[0];
+  const y1 = g[1] - l10 * y0;
+  const y2 = g[2] - l20 * y0 - l21 * y1;
+  const y3 = g[3] - l30 * y0 - l31 * y1 - l32 * y2;
+  const y4 = g[4] - l40 * y0 - l41 * y1 - l42 * y2 - l43 * y3;
+  const y5 = g[5] - l50 * y0 - l51 * y1 - l52 * y2 - l53 * y3 - l54 * y4;
+  const x5 = y5 * e5;
+  const x4 = y4 * e4 - l54 * x5;
+  const x3 = y3 * e3 - l43 * x4 - l53 * x5;
+  const x2 = y2 * e2 - l32 * x3 - l42 * x4 - l52 * x5;
+  const x1 = y1 * e1 - l21 * x2 - l31 * x3 - l41 * x4 - l51 * x5;
+  const x0 = y0 * e0 - l10 * x1 - l20 * x2 - l30 * x3 - l40 * x4 - l50 * x5;
   x[0] = x0;
   x[1] = x1;
   x[2] = x2;

@@ -20,6 +20,7 @@
  * @typedef {object} Search
  * @property {Packed} packed
  * @property {number} length      the characteristic length
+ * @property {number} weight      of a square metre against a square radian: 1 / length²
  * @property {Float64Array} unit  per joint: radians or metres in one unit of the step
  * @property {Pose} goal          seen from the origin of the chain's `start`, as Work is
  * @property {number} positionTolerance
@@ -34,22 +35,27 @@
  * @property {number} cost        what is minimised, at q
  * @property {number} iterations  in all descents so far
  * @property {Work} work
- * @property {Float64Array} J
- * @property {Float64Array} H
- * @property {Float64Array} gradient
+ * @property {Float64Array} J   6 · n, metres and radians; a slide's per unit
+ * @property {Float64Array} H   JᵀJ, weighted, its lower triangle row by row; a joint that a limit holds is out of it
+ * @property {Float64Array} gradient   of less cost, likewise
  * @property {Float64Array} step
  * @property {Float64Array} trial
  * @property {Float64Array} lowest   where the cost was least in this descent
- * @property {Float64Array} residual
+ * @property {Float64Array} residual   metres and radians
  *
  * @typedef {'met' | 'rest' | 'cut'} Descent  within tolerance; nothing improves any more; iterations spent before either
  */
 import { solveCholesky } from './cholesky.js';
-import { createWork, writeDifferences, writeWork } from './differences.js';
+import { createStep, createWork, writeDifferences, writeWork } from './differences.js';
 import { DEFAULT_STEP } from './jacobian.js';
 import { bringInside, isSlide } from './limits.js';
+import * as packing from './packed.js';
 import { poseDifference } from './pose.js';
 import { shapeJacobian, shapeResidual, taskTurn } from './task.js';
+
+const { MOST_JOINTS } = packing; // the module's own: see frames.js
+
+const STEP = createStep(DEFAULT_STEP.forward);
 
 const DAMPING = 0.1;
 const MOST_COST = 1; // a goal many arm lengths off, as for a long slide, is not to be approached in ever smaller steps
@@ -79,6 +85,7 @@ const UP = [0, 0, 1];
 const allocateSearch = (packed, dof) => ({
   packed,
   length: 1,
+  weight: 1,
   unit: new Float64Array(dof),
   goal: new Float64Array(16),
   positionTolerance: 0,
@@ -113,6 +120,7 @@ export function prepareSearch({ packed, dof, characteristicLength }, T_base_goal
   const search = (searches[dof] ??= allocateSearch(packed, dof));
   search.packed = packed;
   search.length = characteristicLength;
+  search.weight = 1 / characteristicLength ** 2;
   for (let i = 0; i < dof; i++) search.unit[i] = isSlide(packed, i) ? characteristicLength : 1;
   search.goal.set(T_base_goal);
   for (let k = 12; k < 15; k++) search.goal[k] -= packed.start[k];
@@ -129,83 +137,102 @@ export function prepareSearch({ packed, dof, characteristicLength }, T_base_goal
 }
 
 /**
- * The weighted residual at a posture.
+ * The residual at a posture.
  * @param {Search} search
  * @param {Float64Array} q
  * @returns {boolean} whether the task is met within tolerance; `search.cost` says how far it is
  */
 function measure(search, q) {
-  const { packed, work, goal, task, up, spare, length, residual: r } = search;
+  const { packed, work, goal, residual: r } = search;
   writeWork(packed, q, work);
   poseDifference(work.tcp, goal, r);
-  const distance = Math.sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]);
-  const turn = taskTurn(task, up, work.tcp, goal, r);
-  if (task !== 'pose') shapeResidual(task, spare, r);
-  r[0] /= length;
-  r[1] /= length;
-  r[2] /= length;
-  search.cost = 0.5 * (r[0] * r[0] + r[1] * r[1] + r[2] * r[2] + r[3] * r[3] + r[4] * r[4] + r[5] * r[5]);
-  return distance <= search.positionTolerance && turn <= search.orientationTolerance;
-}
-
-/**
- * The weighted Jacobian and the gradient at the posture that was measured last.
- * @param {Search} search
- */
-function linearise({ packed, work, task, spare, length, unit, J, residual: r, gradient }) {
-  writeDifferences(packed, work, DEFAULT_STEP.forward, DEFAULT_STEP.forward * length, J);
-  shapeJacobian(task, spare, J);
-  for (let i = 0, c = 0; i < unit.length; i++, c += 6) {
-    const linear = unit[i] / length;
-    J[c] *= linear;
-    J[c + 1] *= linear;
-    J[c + 2] *= linear;
-    J[c + 3] *= unit[i];
-    J[c + 4] *= unit[i];
-    J[c + 5] *= unit[i];
-    gradient[i] = J[c] * r[0] + J[c + 1] * r[1] + J[c + 2] * r[2] + J[c + 3] * r[3] + J[c + 4] * r[4] + J[c + 5] * r[5];
+  const linear = r[0] * r[0] + r[1] * r[1] + r[2] * r[2];
+  let turn = 0;
+  if (search.task !== 'pose') {
+    turn = taskTurn(search.task, search.up, work.tcp, goal, r);
+    shapeResidual(search.task, search.spare, r);
   }
+  const angular = r[3] * r[3] + r[4] * r[4] + r[5] * r[5];
+  if (search.task === 'pose') turn = Math.sqrt(angular);
+  search.cost = 0.5 * (linear * search.weight + angular);
+  return Math.sqrt(linear) <= search.positionTolerance && turn <= search.orientationTolerance;
 }
 
 /**
- * Solve (JᵀJ + damping) step = gradient for the joints that are not held by a limit.
+ * The normal equations at the posture that was measured last.
  * @param {Search} search
- * @param {number} damping
- * @returns {boolean}
  */
-function solveStep({ packed: { lower, upper }, isBounded, q, J, H, gradient, step }, damping) {
-  const n = q.length;
-  for (let i = 0, a = 0; i < n; i++, a += 6) {
+function linearise(search) {
+  const { packed, work, unit, weight, residual: r, J, H, gradient } = search;
+  writeDifferences(packed, work, STEP, J);
+  shapeJacobian(search.task, search.spare, J);
+  const n = Math.min(unit.length, MOST_JOINTS);
+  const r0 = r[0] * weight;
+  const r1 = r[1] * weight;
+  const r2 = r[2] * weight;
+  const r3 = r[3];
+  const r4 = r[4];
+  const r5 = r[5];
+  for (let i = 0; i < n; i++) {
+    const a = 6 * i;
+    const row = n * i;
+    if (unit[i] !== 1) for (let k = a; k < a + 6; k++) J[k] *= unit[i];
     const j0 = J[a];
     const j1 = J[a + 1];
     const j2 = J[a + 2];
     const j3 = J[a + 3];
     const j4 = J[a + 4];
     const j5 = J[a + 5];
-    for (let j = 0, b = 0; j <= i; j++, b += 6) {
-      H[i * n + j] = j0 * J[b] + j1 * J[b + 1] + j2 * J[b + 2] + j3 * J[b + 3] + j4 * J[b + 4] + j5 * J[b + 5];
+    gradient[i] = j0 * r0 + j1 * r1 + j2 * r2 + j3 * r3 + j4 * r4 + j5 * r5;
+    const w0 = j0 * weight;
+    const w1 = j1 * weight;
+    const w2 = j2 * weight;
+    for (let j = 0; j < i; j++) {
+      const b = 6 * j;
+      H[row + j] = w0 * J[b] + w1 * J[b + 1] + w2 * J[b + 2] + j3 * J[b + 3] + j4 * J[b + 4] + j5 * J[b + 5];
     }
-    H[i * n + i] += damping;
+    H[row + i] = w0 * j0 + w1 * j1 + w2 * j2 + j3 * j3 + j4 * j4 + j5 * j5;
   }
-  for (let i = 0; isBounded && i < n; i++) {
-    const isHeld = (q[i] <= lower[i] && gradient[i] <= 0) || (q[i] >= upper[i] && gradient[i] >= 0);
+  if (search.isBounded) holdJoints(search);
+}
+
+/**
+ * A joint at a limit that it would go past is taken out of the normal equations.
+ * @param {Search} search
+ */
+function holdJoints({ packed: { lower, upper }, q, H, gradient }) {
+  const n = q.length;
+  for (let i = 0; i < n; i++) {
+    const value = q[i];
+    if (value > lower[i] && value < upper[i]) continue;
+    const isHeld = (value <= lower[i] && gradient[i] <= 0) || (value >= upper[i] && gradient[i] >= 0);
     if (!isHeld) continue;
     for (let j = 0; j < n; j++) H[Math.max(i, j) * n + Math.min(i, j)] = 0;
     H[i * n + i] = 1;
     gradient[i] = 0;
   }
-  return solveCholesky(H, gradient, step);
 }
 
 /**
- * Where the next step goes, into `search.trial`.
+ * Solve (JᵀJ + damping) step = gradient, and where it goes into `search.trial`.
  * @param {Search} search
+ * @param {number} damping
+ * @returns {boolean}
  */
-function takeStep({ packed, isBounded, q, trial, step, unit }) {
+function writeTrial({ packed, isBounded, q, trial, H, gradient, step, unit }, damping) {
+  if (!solveCholesky(H, gradient, step, damping)) return false;
+  const { lower, upper } = packed;
   for (let i = 0; i < q.length; i++) {
     const value = q[i] + step[i] * unit[i];
-    trial[i] = isBounded ? bringInside(packed, i, value) : value;
+    const isInside = value >= lower[i] && value <= upper[i];
+    trial[i] = isInside || !isBounded ? value : bringInside(packed, i, value);
   }
+  return true;
+}
+
+/** The method of typed arrays takes longer for so few. @param {Float64Array} from @param {Float64Array} to */
+function copy(from, to) {
+  for (let i = 0; i < to.length; i++) to[i] = from[i];
 }
 
 /**
@@ -226,13 +253,13 @@ export function descend(search) {
   let damping = DAMPING;
   /** @type {Descent} */
   let end = 'cut';
-  lowest.set(q);
+  copy(q, lowest);
   for (let iteration = 0; ; iteration++) {
     if (isMet && search.spare === 0) return 'met';
     const { cost } = search;
     if (cost < least) {
       least = cost;
-      lowest.set(q);
+      copy(q, lowest);
     }
     if (iteration === maxIterations) break;
     slow = cost > share * bar ? slow + 1 : 0;
@@ -242,27 +269,25 @@ export function descend(search) {
     linearise(search);
     let isBetter = false;
     for (let tries = 0; slow < PATIENCE && tries < mostTries && !isBetter; tries++) {
-      if (!solveStep(search, damping * Math.min(cost, MOST_COST) + LEAST_DAMPING)) break;
-      takeStep(search);
+      if (!writeTrial(search, damping * Math.min(cost, MOST_COST) + LEAST_DAMPING)) break;
       isMet = measure(search, trial);
       isBetter = isMet || search.cost < cost;
       damping = isBetter ? Math.max(leastDamping, damping * LESS_DAMPING) : damping * MORE_DAMPING;
     }
     if (!isBetter) {
-      const canLeap = cost < NEARLY_MET && leaps-- > 0 && solveStep(search, LEAST_DAMPING);
+      const canLeap = cost < NEARLY_MET && leaps-- > 0 && writeTrial(search, LEAST_DAMPING);
       if (!canLeap) {
         end = 'rest';
         break;
       }
-      takeStep(search);
       isMet = measure(search, trial);
       bar = Infinity;
       slow = 0;
       damping = DAMPING;
     }
-    q.set(trial);
+    copy(trial, q);
   }
-  q.set(lowest);
+  copy(lowest, q);
   search.cost = least;
   return end;
 }

@@ -5,19 +5,25 @@
  * @import { Pose } from './pose.js'
  */
 import { requirePosture, requireRoom } from './checks.js';
-import { writeFrames } from './frames.js';
-import { COS_THETA, COS_TWIST, LENGTH, OFFSET, ROW, SIN_THETA, SIN_TWIST, SLIDES } from './packed.js';
+import { writeFrames, writeTurns } from './frames.js';
+import * as packing from './packed.js';
 import { compose } from './pose.js';
+
+// the module's own: see frames.js
+const { ROW, LENGTH, COS_TWIST, SIN_TWIST, MOST_JOINTS } = packing;
+
+/** Room for what the joints do, for each number of joints. @type {Float64Array[]} */
+const turnsFor = [];
 
 /**
  * T_base_tcp, tool included, seen from the chain's root. The loop of frames.js without the writing down: this is the
  * function that is called most, and it takes half the time.
  * @param {Packed} packed
- * @param {ArrayLike<number>} q
+ * @param {Float64Array} turns  from writeTurns
  * @param {Pose} out
  * @returns {Pose}
  */
-function writeTcpPose({ start, rows, tool, hasTool }, q, out) {
+function writeTcpPose({ start, rows, lower, tool, hasTool }, turns, out) {
   let x0 = start[0];
   let x1 = start[1];
   let x2 = start[2];
@@ -30,19 +36,13 @@ function writeTcpPose({ start, rows, tool, hasTool }, q, out) {
   let p0 = start[12];
   let p1 = start[13];
   let p2 = start[14];
-  for (let i = 0, at = 0; at < rows.length; i++, at += ROW) {
-    let cos = rows[at + COS_THETA];
-    let sin = rows[at + SIN_THETA];
-    let d = rows[at + OFFSET];
-    if (rows[at + SLIDES] === 1) {
-      d += q[i];
-    } else {
-      const c = Math.cos(q[i]);
-      const s = Math.sin(q[i]);
-      const turned = cos * c - sin * s;
-      sin = sin * c + cos * s;
-      cos = turned;
-    }
+  const n = Math.min(lower.length, MOST_JOINTS);
+  for (let i = 0; i < n; i++) {
+    const at = ROW * i;
+    const t = 3 * i;
+    const cos = turns[t];
+    const sin = turns[t + 1];
+    const d = turns[t + 2];
     // Rz(θ), then the step d along z and a along the new x, then Rx(α)
     const a = rows[at + LENGTH];
     const ca = rows[at + COS_TWIST];
@@ -94,11 +94,10 @@ function writeTcpPose({ start, rows, tool, hasTool }, q, out) {
 export function tcpPose(chain, q, out = new Float64Array(16)) {
   requirePosture(chain.dof, q);
   requireRoom(out, 16);
-  return writeTcpPose(chain.packed, q, out);
+  const turns = (turnsFor[chain.dof] ??= new Float64Array(3 * chain.dof));
+  writeTurns(chain.packed, q, turns);
+  return writeTcpPose(chain.packed, turns, out);
 }
-
-/** Room for what linkFrames does not return, for each number of joints. @type {Float64Array[]} */
-const turnsFor = [];
 
 /**
  * Every link's frame seen from the chain's root, where the book of the chain's convention puts it: a standard frame i at

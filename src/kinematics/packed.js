@@ -34,6 +34,9 @@ export const COS_TWIST = 4;
 export const SIN_TWIST = 5;
 export const SLIDES = 6;
 
+/** A bound for loops over joints: an index that the compiler knows to be small costs nothing to check. */
+export const MOST_JOINTS = 64;
+
 /**
  * @param {Convention} convention
  * @param {readonly Joint[]} joints
@@ -42,6 +45,8 @@ export const SLIDES = 6;
  * @returns {Packed}
  */
 export function pack(convention, joints, base, tool) {
+  if (joints.length > MOST_JOINTS)
+    throw new RangeError(`Expected at most ${MOST_JOINTS} joints, got ${joints.length}.`);
   const isModified = convention === 'modified';
   const rows = new Float64Array(ROW * joints.length);
   joints.forEach(({ type, theta, d }, i) => {

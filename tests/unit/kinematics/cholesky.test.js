@@ -31,6 +31,23 @@ test('the solution of a definite system of any size is the one that it was made 
   );
 });
 
+test('damping is added to the diagonal, and the system stays as it was, for the next try', () => {
+  fc.assert(
+    fc.property(anySystem, fc.double({ min: 0, max: 10, noNaN: true }), ({ n, entries, x }, damping) => {
+      const H = definite(n, entries);
+      const kept = H.slice();
+      const g = Float64Array.from({ length: n }, (_, i) =>
+        x.reduce((sum, value, j) => sum + (H[i * n + j] + (i === j ? damping : 0)) * value, 0),
+      );
+      const found = new Float64Array(n);
+      expect(solveCholesky(H, g, found, damping)).toBe(true);
+      found.forEach((value, i) => expect(Math.abs(value - x[i])).toBeLessThan(1e-12));
+      expect(H).toEqual(kept);
+    }),
+    { seed: SEED, numRuns: runs(100) },
+  );
+});
+
 test('a system that is not definite, or not of numbers, is refused', () => {
   for (let n = 1; n <= 7; n++) {
     for (let bad = 0; bad < n; bad++) {

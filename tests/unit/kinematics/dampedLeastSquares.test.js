@@ -12,20 +12,31 @@ import {
   fromLine,
   inverseCases,
   oracleForward,
+  rigid,
+  rodrigues,
   rowsOf,
 } from './oracle.js';
 
+/** @import { ChainDescription } from '../../../src/kinematics/chain.js' */
+
 const OPTIONS = { positionTolerance: 1e-9, orientationTolerance: 1e-9, maxIterations: 100 };
 const { joints } = arm('puma560');
-const puma = createChain(arm('puma560'));
+const bare = arm('puma560');
+const held = {
+  ...bare,
+  base: columnMajor(rigid(rodrigues([1, 2, 3], 1), [0.1, -0.2, 0.3])),
+  tool: columnMajor(rigid(rodrigues([3, -1, 2], 2), [-0.05, 0.1, 0.15])),
+};
+const puma = createChain(bare);
+const pumaWithTool = createChain(held);
 const anyStart = fc
   .array(fc.double({ min: 0, max: 1, noNaN: true }), { minLength: 6, maxLength: 6 })
   .map((parts) => parts.map((part, i) => joints[i].lower + part * (joints[i].upper - joints[i].lower)));
 
-/** Half the weighted square, by the oracle. @param {ArrayLike<number>} q @param {ArrayLike<number>} goal */
-function costAt(q, goal) {
-  const { tcp } = oracleForward(arm('puma560'), q);
-  const distance = distanceBetween(tcp, rowsOf(goal)) / puma.characteristicLength;
+/** Half the weighted square, by the oracle. @param {ChainDescription} description @param {ArrayLike<number>} q @param {ArrayLike<number>} goal */
+function costAt(description, q, goal) {
+  const { tcp } = oracleForward(description, q);
+  const distance = distanceBetween(tcp, rowsOf(goal)) / createChain(description).characteristicLength;
   return (distance ** 2 + angleBetween(tcp, rowsOf(goal)) ** 2) / 2;
 }
 
@@ -38,14 +49,14 @@ describe('one descent', () => {
         fc.integer({ min: 0, max: 30 }),
         fc.boolean(),
         (start, goal, maxIterations, isSettling) => {
-          const search = prepareSearch(puma, goal, { ...OPTIONS, maxIterations });
+          const search = prepareSearch(pumaWithTool, goal, { ...OPTIONS, maxIterations });
           search.isSettling = isSettling;
           search.q.set(start);
           const end = descend(search);
           expect(search.iterations).toBeLessThanOrEqual(maxIterations);
           if (end === 'cut') expect(search.iterations).toBe(maxIterations);
-          expect(search.cost).toBeLessThanOrEqual(costAt(start, goal) * (1 + 1e-7));
-          expect(search.cost).toBeCloseTo(costAt(search.q, goal), 6);
+          expect(search.cost).toBeLessThanOrEqual(costAt(held, start, goal) * (1 + 1e-7));
+          expect(search.cost).toBeCloseTo(costAt(held, search.q, goal), 6);
           search.q.forEach((value, i) => expect(value >= joints[i].lower && value <= joints[i].upper).toBe(true));
         },
       ),
@@ -62,7 +73,7 @@ describe('one descent', () => {
         const first = search.cost;
         const end = descend(search);
         if (end !== 'met') expect(search.cost).toBeLessThanOrEqual(first);
-        expect(Math.abs(search.cost - costAt(search.q, goal))).toBeLessThan(1e-12);
+        expect(Math.abs(search.cost - costAt(bare, search.q, goal))).toBeLessThan(1e-12);
       }
     }
   });

@@ -103,6 +103,18 @@ describe('numbers printed in books', () => {
   });
 });
 
+test('an arm may have 64 joints, and no more', () => {
+  /** @type {JointRow[]} */
+  const joints = Array.from({ length: 64 }, (_, i) => ({ type: 'revolute', a: 0.1, alpha: i, d: 0.2, theta: 0 }));
+  /** @type {{ convention: 'standard', joints: JointRow[] }} */
+  const description = { convention: 'standard', joints };
+  const q = joints.map((_, i) => i / 10);
+  const T = tcpPose(createChain(description), q);
+  expect(largestDifference(rowsOf(T), oracleForward(description, q).tcp)).toBeLessThan(1e-12);
+  const tooLong = { ...description, joints: [...joints, joints[0]] };
+  expect(() => createChain(tooLong)).toThrow('Expected at most 64 joints, got 65.');
+});
+
 describe('wrong calls', () => {
   const chain = createChain(arm('puma560'));
   test.each([

@@ -58,6 +58,24 @@ describe('any chain, both conventions, slides included', () => {
       { seed: SEED, numRuns: runs(100) },
     );
   });
+  test('the smallest step is as good as the derivative: nothing is lost by subtracting', () => {
+    fc.assert(
+      fc.property(anyChain, ({ description, q }) => {
+        const chain = createChain(description);
+        const J = finiteDifferenceJacobian(chain, q, { step: 1e-13 });
+        expect(apart(J, geometricJacobian(chain, q))).toBeLessThan(1e-12 * sizeOf(description));
+      }),
+      { seed: SEED, numRuns: runs(50) },
+    );
+  });
+  test('a step of more than half a turn turns the shorter way', () => {
+    const q = forwardCases.puma560.q[0];
+    const chain = createChain(arm('puma560'));
+    const J = finiteDifferenceJacobian(chain, q, { step: 5 });
+    geometricJacobian(chain, q).forEach((value, at) => {
+      if (at % 6 > 2) expect(J[at]).toBeCloseTo((value * (5 - 2 * Math.PI)) / 5, 12);
+    });
+  });
   test('a step of half a radian turns by half a radian', () => {
     fc.assert(
       fc.property(anyChain, ({ description, q }) => {

@@ -1,6 +1,6 @@
 /**
  * What an arm with fewer than six joints can be asked for when a whole pose is too much: the tasks that its joints are
- * enough for and that use all of them, from the richest to the poorest.
+ * enough for, from the richest to the poorest.
  *
  * @import { Chain } from './chain.js'
  * @import { TaskName } from './task.js'

@@ -40,6 +40,8 @@ import { createSvd, decompose } from './singularValues.js';
 
 /** Steps to a singular posture: four to eight in practice, some thirty where the singular value has a double zero. */
 const DESCENT_STEPS = 60;
+/** Steps back to one after a step along them; if it takes more, that step was too long. */
+const BACK_STEPS = 10;
 /** Near enough: the rounding of a Jacobian. */
 const ZERO = 1e-15;
 /** Steps may be this long, radians. */
@@ -173,13 +175,14 @@ function writeStepped({ step, lower, upper }, x, share, out) {
  * convergence whether there is one gradient or several (Fan & Yuan 2005).
  * @param {Ground} ground
  * @param {Float64Array} x  inside the limits; changed
+ * @param {number} [steps]  at most
  * @returns {boolean} whether x is singular now
  */
-export function descend(ground, x) {
+export function descend(ground, x, steps = DESCENT_STEPS) {
   const { gradient, right, step } = ground;
   const tried = x.slice();
   let smallest = smallestAt(ground, x);
-  for (let round = 0; round < DESCENT_STEPS && smallest > ZERO; round++) {
+  for (let round = 0; round < steps && smallest > ZERO; round++) {
     gatherGradients(ground);
     for (let i = 0; i < x.length; i++) right[i] = -smallest * gradient[i];
     if (!solveStep(ground, x, smallest)) break;
@@ -229,7 +232,7 @@ export function approach(ground, x, home, isRough) {
     for (let halving = 0, share = 1; halving < HALVINGS && !hasMoved; halving++, share /= 2) {
       step.set(way);
       writeStepped(ground, x, share, tried);
-      hasMoved = descend(ground, tried) && distance(tried, home) < apart * (1 - 1e-12);
+      hasMoved = descend(ground, tried, BACK_STEPS) && distance(tried, home) < apart * (1 - 1e-12);
     }
     if (!hasMoved) break;
     x.set(tried);

@@ -70,6 +70,12 @@ function requireCount(count, what) {
  * The nearest singular posture that a search finds. It walks from q itself; from every dent of the singular value on one
  * turn of each joint; and from postures taken at random, nearer than the best so far; each walk ends on a singular posture
  * with none nearer in its neighbourhood. Budgets are counts, so the answer is always the same.
+ *
+ * Nearest *found*: nothing proves that there is none nearer. Measured by searching three times as hard from random postures:
+ * none nearer for five arms of six joints (200 postures), whose singular postures are surfaces; for 5 of 80 of two arms of
+ * five joints, some of whose singular postures meet two conditions. It takes about 1,000 decompositions for a 6R arm with a
+ * wrist (10 to 20 ms on a weak machine) and three times that for one without: too much for every frame of a drag.
+ * `searches: 0` takes half, and found the same for those arms of six joints.
  * @param {Chain} chain
  * @param {ArrayLike<number>} q
  * @param {SearchOptions} [options]

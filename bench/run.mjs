@@ -1,12 +1,20 @@
 /**
  * npm run bench: the benchmarks of this folder, one after another. Each file exports `bench()`, which answers with rows
  * of medians; all of them become one table and .cache/bench.json. Names on the command line pick files:
- * `npm run bench -- inverse`. Nothing is compared with a limit: a shared machine is too uneven for that.
+ * `npm run bench -- inverse`. A target that is missed is said to be, and fails nothing: a shared machine is too uneven.
+ *
+ * @typedef {object} Target
+ * @property {'median' | 'ratio'} of
+ * @property {number} [atLeast]
+ * @property {number} [atMost]
  *
  * @typedef {object} BenchRow
  * @property {string} name
  * @property {string} unit
  * @property {number} median
+ * @property {{ name: string, median: number }} [peer]  who did the same in the same run
+ * @property {number} [ratio]   of the peer's median to ours, or as the note says
+ * @property {Target} [target]
  * @property {string} [note]
  */
 import { mkdirSync, readdirSync, writeFileSync } from 'node:fs';
@@ -41,6 +49,36 @@ async function runFile(file) {
   return await module.bench();
 }
 
+/** @param {BenchRow} row */
+function isMet({ target, ...row }) {
+  if (!target) return null;
+  const value = row[target.of] ?? NaN;
+  return value >= (target.atLeast ?? -Infinity) && value <= (target.atMost ?? Infinity);
+}
+
+/** Three digits, and no exponent. @param {number} value */
+const short = (value) => (value >= 100 ? value.toFixed(0) : value.toPrecision(3));
+
+/** @param {BenchRow} row */
+function targetText({ target, unit }) {
+  if (!target) return '';
+  const { of, atLeast, atMost } = target;
+  const bound = atLeast === undefined ? `≤ ${atMost}` : `≥ ${atLeast}`;
+  return of === 'ratio' ? `${bound} ×` : `${bound} ${unit}`;
+}
+
+/** @param {BenchRow} row */
+const cells = (row) => [
+  row.name,
+  `${short(row.median)} ${row.unit}`,
+  row.peer ? `${short(row.peer.median)} ${row.unit}` : '',
+  row.peer?.name ?? '',
+  row.ratio === undefined ? '' : `${short(row.ratio)} ×`,
+  targetText(row),
+  isMet(row) === null ? '' : isMet(row) ? 'met' : 'missed',
+  row.note ?? '',
+];
+
 ensureDependencies();
 const wanted = process.argv.slice(2);
 const files = benchFiles(wanted);
@@ -52,9 +90,10 @@ if (rows.length === 0) {
   console.error(`No benchmark ${wanted.length > 0 ? `matches ${wanted.join(', ')}` : 'is in bench/'}.`);
   process.exitCode = 1;
 } else {
-  const body = rows.map(({ name, median, unit, note }) => [name, median.toPrecision(4), unit, note ?? '']);
-  console.log(formatTable([['benchmark', 'median', 'unit', ''], ...body], [1]));
+  const heading = ['benchmark', 'median', 'peer', '', 'ratio', 'target', '', ''];
+  console.log(formatTable([heading, ...rows.map(cells)], [1, 2, 4, 5]));
   const machine = { node: process.version, platform: process.platform, processor: cpus()[0]?.model ?? 'unknown' };
+  const recorded = rows.map((row) => ({ ...row, isMet: isMet(row) }));
   mkdirSync(dirname(RECORD), { recursive: true });
-  writeFileSync(RECORD, `${JSON.stringify({ date: new Date().toISOString(), machine, rows }, null, 2)}\n`);
+  writeFileSync(RECORD, `${JSON.stringify({ date: new Date().toISOString(), machine, rows: recorded }, null, 2)}\n`);
 }

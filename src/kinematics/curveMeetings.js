@@ -18,7 +18,10 @@ const POINT = 1e-9;
 /** An ellipse flatter than this is taken for flat; the error is polished away. */
 const FLAT = 1e-6;
 
-/** Two that are both rather flat meet in pairs of points that come close together: likewise if the product of the two is below this. */
+/**
+ * Two that are both rather flat meet in pairs of points that come close together: likewise if the product of the two is
+ * below this.
+ */
 const BOTH_FLAT = 1e-9;
 
 /** What curves may miss each other by and still be said to meet: what comes of it is checked. */
@@ -65,8 +68,8 @@ function placesWhere({ kind, start, first, second, size }, direction, value) {
 }
 
 /**
- * The places of a curve that are all but at a point: of a flat one perhaps two, of a round one no more than one, brought as near as it
- * comes.
+ * The places of a curve that are all but at a point: of a flat one perhaps two, of a round one no more than one,
+ * brought as near as it comes.
  * @param {Curve} curve
  * @param {Pair} point
  */
@@ -81,7 +84,12 @@ function placesAt(curve, point) {
   return curve.width > 1e-4 * curve.size ? places.slice(0, 1) : places;
 }
 
-/** By Gauss's steps, except from where the curve turns back. @param {Curve} curve @param {Pair} point @param {number} from */
+/**
+ * By Gauss's steps, except from where the curve turns back.
+ * @param {Curve} curve
+ * @param {Pair} point
+ * @param {number} from
+ */
 function nearestPlace(curve, point, from) {
   let x = from;
   for (let i = 0; i < 10; i++) {
@@ -132,7 +140,11 @@ function alongFlat(one, two) {
   return here === undefined || there === undefined ? [] : [pair(there, here, true)];
 }
 
-/** Of two flat curves on one line: how far along it both come, well inside if they can. @param {Curve} flat @param {Curve} other */
+/**
+ * Of two flat curves on one line: how far along it both come, well inside if they can.
+ * @param {Curve} flat
+ * @param {Curve} other
+ */
 function commonValue(flat, other) {
   const [a, b] = rangeAlong(flat, flat.tangent);
   const [c, d] = rangeAlong(other, flat.tangent);
@@ -169,8 +181,8 @@ function round(one, two) {
 }
 
 /**
- * Maps the ellipse to the unit circle; the other curve, mapped likewise, is on it where the square of its distance from the centre is
- * one. Everything is multiplied by the determinant, so that a thin ellipse blows nothing up.
+ * Maps the ellipse to the unit circle; the other curve, mapped likewise, is on it where the square of its distance
+ * from the centre is one. Everything is multiplied by the determinant, so that a thin ellipse blows nothing up.
  * @param {Curve} ellipse
  * @param {Curve} other
  * @returns {Pair[]} the place on the ellipse, and on the other
@@ -192,7 +204,13 @@ function acrossEllipse(ellipse, other) {
   return places.map((place) => acrossFrom(ellipse, other, place));
 }
 
-/** The place on an ellipse where another curve's place is. @param {Curve} ellipse @param {Curve} other @param {number} place @returns {Pair} */
+/**
+ * The place on an ellipse where another curve's place is.
+ * @param {Curve} ellipse
+ * @param {Curve} other
+ * @param {number} place
+ * @returns {Pair}
+ */
 function acrossFrom({ start, first, second }, other, place) {
   const [x, y] = less(pointAt(other, place), start);
   const sign = Math.sign(first[0] * second[1] - first[1] * second[0]);
@@ -234,7 +252,12 @@ function twoParabolas(one, two) {
   return quadraticRoots(a, b, c).map((x) => meeting(m + n * x, x));
 }
 
-/** Newton's steps on both places at once, as long as they help. @param {Curve} one @param {Curve} two @param {Meeting} from */
+/**
+ * Newton's steps on both places at once, as long as they help.
+ * @param {Curve} one
+ * @param {Curve} two
+ * @param {Meeting} from
+ */
 function refined(one, two, from) {
   let best = from;
   let miss = less(pointAt(one, best.one), pointAt(two, best.two));

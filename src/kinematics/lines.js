@@ -31,7 +31,11 @@ export const norm = (a) => Math.sqrt(dot(a, a));
 /** @param {ArrayLike<number>} a @returns {Vector} */
 export const unit = (a) => along([0, 0, 0], 1 / norm(a), a);
 
-/** Two unit vectors that make a right-handed frame with a unit axis as the third. @param {Vector} axis @returns {[Vector, Vector]} */
+/**
+ * Two unit vectors that make a right-handed frame with a unit axis as the third.
+ * @param {Vector} axis
+ * @returns {[Vector, Vector]}
+ */
 export function squareTo(axis) {
   const smallest = axis.reduce((best, value, i) => (Math.abs(value) < Math.abs(axis[best]) ? i : best), 0);
   const u = unit(
@@ -47,8 +51,8 @@ export function squareTo(axis) {
 export const angleBetween = (a, b) => Math.atan2(norm(cross(a, b)), dot(a, b));
 
 /**
- * The angle of the turn about an axis that takes v towards w. From their parts across the axis, which keep their digits where v and w are
- * all but along it.
+ * The angle of the turn about an axis that takes v towards w. From their parts across the axis, which keep their
+ * digits where v and w are all but along it.
  * @param {ArrayLike<number>} axis unit
  * @param {ArrayLike<number>} v
  * @param {ArrayLike<number>} w
@@ -106,7 +110,12 @@ export function largestDifference(A, B) {
 /** The point of a line nearest to another point. @param {Line} line @param {Vector} point @returns {Vector} */
 export const footOn = ({ axis, point: onLine }, point) => along(onLine, dot(minus(point, onLine), axis), axis);
 
-/** The point of a line nearest to another line that is not parallel to it. @param {BareLine} line @param {BareLine} other @returns {Vector} */
+/**
+ * The point of a line nearest to another line that is not parallel to it.
+ * @param {BareLine} line
+ * @param {BareLine} other
+ * @returns {Vector}
+ */
 export function nearestTo(line, other) {
   const normal = cross(line.axis, other.axis);
   const t = dot(cross(minus(other.point, line.point), other.axis), normal) / dot(normal, normal);

@@ -1,11 +1,11 @@
 /**
- * The eight postures of the arm that nearly every factory has: axis 2 square to axis 1, axis 3 parallel to axis 2, axes 4, 5
- * and 6 meeting in one point, 4 square to 3, 5 to 4 and 6 to 5. With offsets of the shoulder, the elbow and to the side it is the
- * "ortho-parallel basis with spherical wrist" of Brandstötter, Angerer and Hofbaur (2014): seven lengths, all solved alike.
- * Written for speed: no allocation, about twenty arc tangents for eight postures.
+ * The eight postures of the arm that nearly every factory has: axis 2 square to axis 1, axis 3 parallel to axis 2,
+ * axes 4, 5 and 6 meeting in one point, 4 square to 3, 5 to 4 and 6 to 5. With offsets of the shoulder, the elbow and
+ * to the side it is the "ortho-parallel basis with spherical wrist" of Brandstötter, Angerer and Hofbaur (2014):
+ * seven lengths, all solved alike. Written for speed: no allocation, about twenty arc tangents for eight postures.
  *
- * The arm's plane is the vertical one square to axis 2; x points in it away from axis 1, y along axis 2, z along axis 1. Angles in it count
- * from z to x, the way that axis 2 turns.
+ * The arm's plane is the vertical one square to axis 2; x points in it away from axis 1, y along axis 2, z along axis
+ * 1. Angles in it count from z to x, the way that axis 2 turns.
  *
  * @import { Screws } from './screws.js'
  * @typedef {ArrayLike<number>} Vector
@@ -25,13 +25,16 @@
  * @property {number} angle4     between axis 5 and y, about axis 4
  * @property {number} angle5     between axis 4 and axis 6, about axis 5
  * @property {Float64Array} centre  of the wrist, seen from the TCP
- * @property {Float64Array} hand    9 numbers, columns: a frame with axis 6 as its z and axis 5 as its y, seen from the TCP
+ * @property {Float64Array} hand    9 numbers, columns: a frame with axis 6 as its z and axis 5 as its y, seen from the
+ *   TCP
  * @property {number} onAxis     what is nearer to axis 1 than this is on it, m
  * @property {number} folded     likewise to axis 2
  */
 import { cross, dot, minus, nearestTo, norm } from './lines.js';
 
-/** Bits of the answer beyond the eight of the postures. Four of them: the wrist is in line, for each place of the elbow. */
+/**
+ * Bits of the answer beyond the eight of the postures. Four of them: the wrist is in line, for each place of the elbow.
+ */
 export const WRIST_IN_LINE = 0xf00;
 /** The wrist centre is on axis 1: what is written is one of infinitely many, for each place of the elbow. */
 export const SHOULDER_SINGULAR = 0x1000;
@@ -101,8 +104,8 @@ export function recogniseOrthoParallel({ dof, slides, axes, points, home, length
  * - k & 2: the elbow's angle, from the upper arm to the forearm and the way that axis 2 turns, is negative
  * - k & 1: the wrist is flipped: the angle from axis 4 to axis 6, the way that axis 5 turns, is negative
  *
- * At the edge of the reach two postures are one; then it is the one without the bit. Joint values are not wrapped. Limits do
- * not count. The further bits are named above.
+ * At the edge of the reach two postures are one; then it is the one without the bit. Joint values are not wrapped.
+ * Limits do not count. The further bits are named above.
  * @param {OrthoParallel} arm
  * @param {ArrayLike<number>} T_start_goal
  * @param {Float64Array} out  48 numbers; those of postures that are not there are left as they were

@@ -1,11 +1,12 @@
 /**
- * The plane in which the first three joints of an arm part. Joint 2 carries the point S that joint 3 leaves it to the point
- * Q that joint 1 needs: E_2 S = Q with S = E_3 W and Q = E_1⁻¹ P. It can do so if and only if two numbers of S and Q agree that
- * it does not change: if it turns, the height along its axis and half the square of the distance from a point of it; if it
- * slides, the two coordinates square to it. As joint 3 moves, the numbers of S draw a curve in the plane of the two, as joint 1
- * moves those of Q do: an ellipse for a turn, a parabola or a straight line for a slide. Where the curves meet are the answers: four
- * at most (Pieper 1968; Craig, Introduction to Robotics, ch. 4). A flat curve (a straight line, traversed to and fro) makes it
- * two quadratic equations one after the other, and the joints of ordinary arms all make one: axes that are parallel or meet.
+ * The plane in which the first three joints of an arm part. Joint 2 carries the point S that joint 3 leaves it to the
+ * point Q that joint 1 needs: E_2 S = Q with S = E_3 W and Q = E_1⁻¹ P. It can do so if and only if two numbers of S
+ * and Q agree that it does not change: if it turns, the height along its axis and half the square of the distance
+ * from a point of it; if it slides, the two coordinates square to it. As joint 3 moves, the numbers of S draw a curve
+ * in the plane of the two, as joint 1 moves those of Q do: an ellipse for a turn, a parabola or a straight line for a
+ * slide. Where the curves meet are the answers: four at most (Pieper 1968; Craig, Introduction to Robotics, ch. 4). A
+ * flat curve (a straight line, traversed to and fro) makes it two quadratic equations one after the other, and the
+ * joints of ordinary arms all make one: axes that are parallel or meet.
  *
  * @import { Line, Vector } from './lines.js'
  *
@@ -32,7 +33,8 @@ export const times = (a, b) => a[0] * b[0] + a[1] * b[1];
 
 /**
  * @param {Line} line
- * @param {readonly (Line | null)[]} neighbours  the first one that is not parallel tells where on the line to measure from
+ * @param {readonly (Line | null)[]} neighbours  the first one that is not parallel tells where on the line to measure
+ *   from
  * @returns {Plane}
  */
 export function planeOf(line, neighbours) {
@@ -48,7 +50,13 @@ export function profileOf({ line, sides }, point) {
   return [dot(line.axis, from), dot(from, from) / 2];
 }
 
-/** Of a point that moves in this direction: the rate. @param {Plane} plane @param {Vector} point @param {Vector} way @returns {Pair} */
+/**
+ * Of a point that moves in this direction: the rate.
+ * @param {Plane} plane
+ * @param {Vector} point
+ * @param {Vector} way
+ * @returns {Pair}
+ */
 function rateOf({ line, sides }, point, way) {
   if (line.slides) return [dot(sides[0], way), dot(sides[1], way)];
   return [dot(line.axis, way), dot(minus(point, line.point), way)];
@@ -59,7 +67,8 @@ function rateOf({ line, sides }, point, way) {
  * @param {Plane} plane
  * @param {Line | null} joint  null: none, the point stays
  * @param {Vector} point
- * @returns {{ curve: Curve, place: number, radius: number }}  radius: of the circle that a turning joint carries the point on
+ * @returns {{ curve: Curve, place: number, radius: number }}  radius: of the circle that a turning joint carries the
+ *   point on
  */
 export function curveOf(plane, joint, point) {
   if (!joint) {
@@ -91,8 +100,8 @@ export function curveOf(plane, joint, point) {
 }
 
 /**
- * Finds how flat a curve is. For an ellipse by the singular values of its 2×2 matrix, the smaller as the determinant over the
- * larger, which keeps its digits.
+ * Finds how flat a curve is. For an ellipse by the singular values of its 2×2 matrix, the smaller as the determinant
+ * over the larger, which keeps its digits.
  * @param {Omit<Curve, 'normal' | 'tangent' | 'width' | 'size'>} curve
  * @returns {Curve}
  */

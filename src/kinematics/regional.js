@@ -1,7 +1,8 @@
 /**
- * The place of the wrist centre by the first joints, three at most, turning or sliding: all (q_1 … q_r) with E_1 · … · E_r W = P. Joint 2 is
- * taken out first (profileCurves.js); two joints are three of which the last is missing, one is the middle one. Fewer than three
- * reach only some points: what comes near enough is returned, for the caller to check.
+ * The place of the wrist centre by the first joints, three at most, turning or sliding: all (q_1 … q_r) with E_1 · …
+ * · E_r W = P. Joint 2 is taken out first (profileCurves.js); two joints are three of which the last is missing, one
+ * is the middle one. Fewer than three reach only some points: what comes near enough is returned, for the caller to
+ * check.
  *
  * @import { Line, Vector } from './lines.js'
  * @import { Curve, Plane } from './profileCurves.js'
@@ -28,8 +29,8 @@ import { angleAbout, cross, dot, minus, moved, norm } from './lines.js';
 import { curveOf, planeOf } from './profileCurves.js';
 
 /**
- * A centre nearer to the axis of the middle joint than this (in arm lengths) is on it. Of the distance the square is found, so
- * near the axis it is known to half the digits only.
+ * A centre nearer to the axis of the middle joint than this (in arm lengths) is on it. Of the distance the square is
+ * found, so near the axis it is known to half the digits only.
  */
 const FOLDED = 2e-7;
 
@@ -49,8 +50,8 @@ export function prepareRegional(joints, centre) {
 }
 
 /**
- * Whether the joints move the centre in a surface only, so that one of them is too many for it. (Of the curve before the middle joint
- * only the size depends on the goal.)
+ * Whether the joints move the centre in a surface only, so that one of them is too many for it. (Of the curve before
+ * the middle joint only the size depends on the goal.)
  * @param {Regional} regional
  */
 export function isDeficient({ plane, curve, before }) {
@@ -82,8 +83,8 @@ export function solveRegional(regional, P) {
 }
 
 /**
- * Why a joint makes no difference: either the centre is on its axis, or it does nothing that the middle joint does not do, being
- * about the same line or along a parallel one.
+ * Why a joint makes no difference: either the centre is on its axis, or it does nothing that the middle joint does
+ * not do, being about the same line or along a parallel one.
  * @param {Line | null} joint
  * @param {number} radius
  */

@@ -1,7 +1,7 @@
 /**
- * Real roots of the small equations of closed-form inverse kinematics. At the edge of what an arm can reach two roots meet:
- * there rounding alone decides between two, one and none. So a discriminant that is as small as rounding gives one root, and one
- * that is a little negative gives it too: whoever asks checks what comes of it.
+ * Real roots of the small equations of closed-form inverse kinematics. At the edge of what an arm can reach two roots
+ * meet: there rounding alone decides between two, one and none. So a discriminant that is as small as rounding gives
+ * one root, and one that is a little negative gives it too: whoever asks checks what comes of it.
  */
 
 /** Relative discriminants below this are rounding: it parts two angles by no more than 1e-7. */
@@ -125,8 +125,8 @@ export function polynomialRoots(p) {
 }
 
 /**
- * The angles with c0 + c1 cos x + s1 sin x + c2 cos 2x + s2 sin 2x = 0, through the tangent of the half angle, the circle cut in
- * two so that it never grows.
+ * The angles with c0 + c1 cos x + s1 sin x + c2 cos 2x + s2 sin 2x = 0, through the tangent of the half angle, the
+ * circle cut in two so that it never grows.
  * @param {number} c0
  * @param {number} c1
  * @param {number} s1

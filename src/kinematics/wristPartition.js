@@ -1,7 +1,8 @@
 /**
- * All postures of an arm whose last turning axes meet in one point, the wrist centre W (Pieper 1968): the joints before them, three
- * at most, bring W to its place (regional.js), which the wrist does not move; then the wrist turns the tool (wristTurns.js). An arm whose
- * *first* axes meet is the same arm seen from its tool: its joints in the opposite order, backwards.
+ * All postures of an arm whose last turning axes meet in one point, the wrist centre W (Pieper 1968): the joints
+ * before them, three at most, bring W to its place (regional.js), which the wrist does not move; then the wrist turns
+ * the tool (wristTurns.js). An arm whose *first* axes meet is the same arm seen from its tool: its joints in the
+ * opposite order, backwards.
  *
  * @import { Candidates, Family } from './candidates.js'
  * @import { Line, Rotation, Vector } from './lines.js'
@@ -78,8 +79,8 @@ function partitionOf(lines, tcp) {
   const first = lines.length - wrist;
   if (first > 3) return null;
   const regional = prepareRegional(lines.slice(0, first), centre);
-  // One joint too many for the place, and the orientation has to decide which: that is not how this works, unless the wrist makes
-  // up for whatever the others turn.
+  // One joint too many for the place, and the orientation has to decide which: that is not how this works, unless the
+  // wrist makes up for whatever the others turn.
   const [axis, ...others] = lines.filter(({ slides }) => !slides);
   const makesUp = wrist === 3 || !axis || (wrist > 0 && others.every((line) => areParallel(line, axis)));
   if (!makesUp && isDeficient(regional)) return null;

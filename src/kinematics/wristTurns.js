@@ -1,12 +1,13 @@
 /**
- * An orientation made by up to three turns about given directions: R_1(q_1) · … · R_m(q_m) = R, the directions as they stand
- * while all angles are zero, at any angles to one another. Three turns have two solutions in general; fewer have one, if the
- * orientation is one that they can make.
+ * An orientation made by up to three turns about given directions: R_1(q_1) · … · R_m(q_m) = R, the directions as
+ * they stand while all angles are zero, at any angles to one another. Three turns have two solutions in general;
+ * fewer have one, if the orientation is one that they can make.
  *
- * Three turns (Paden–Kahan subproblems; Murray, Li, Sastry 1994, ch. 3): the last axis c must come to g = R c. The first turn does
- * not change its angle to a, so the second one has to bring it to the angle between a and g: a spherical triangle with sides
- * ∠ab, ∠bc and ∠ag, of which the half-angle formulas give the angle at b to the last digits even where a and g are all but in line. More than three
- * turns are one or more too many: a member is given of the families that they make.
+ * Three turns (Paden–Kahan subproblems; Murray, Li, Sastry 1994, ch. 3): the last axis c must come to g = R c. The
+ * first turn does not change its angle to a, so the second one has to bring it to the angle between a and g: a
+ * spherical triangle with sides ∠ab, ∠bc and ∠ag, of which the half-angle formulas give the angle at b to the last
+ * digits even where a and g are all but in line. More than three turns are one or more too many: a member is given of
+ * the families that they make.
  *
  * @import { Rotation, Vector } from './lines.js'
  *
@@ -126,7 +127,8 @@ function threeTurns([a, b, c], R) {
   if (Math.sin(ag) < IN_LINE) {
     return { ...NOTHING, families: [{ angles: solutionAt(middle + half, true), moving: [0, 2] }] };
   }
-  // Where a and g come in line both half angles are right to the last digits; at the other ends they are roots of something rounded.
+  // Where a and g come in line both half angles are right to the last digits; at the other ends they are roots of
+  // something rounded.
   const isDouble =
     (sine < ONE && Math.abs(ab - bc) > IN_LINE) || (cosine < ONE && Math.abs(ab + bc - Math.PI) > IN_LINE);
   const seconds = isDouble ? [middle + half] : [middle + half, middle - half];
@@ -152,8 +154,8 @@ function moreTurns(axes, R) {
 }
 
 /**
- * Angles of the first turn that leave the last three as far as can be from the edge of what they can do: the cosine of the angle ∠ag of
- * the triangle above is in the middle of where the turn can bring it and they can use it.
+ * Angles of the first turn that leave the last three as far as can be from the edge of what they can do: the cosine
+ * of the angle ∠ag of the triangle above is in the middle of where the turn can bring it and they can use it.
  * @param {readonly Vector[]} axes
  * @param {Rotation} R
  */

@@ -33,7 +33,16 @@ function write(description, T_base_goal) {
 }
 
 const anywhere = () => Array.from({ length: 6 }, () => (2 * random() - 1) * Math.PI);
-const COMMON = ['puma560', 'kuka_kr5_arc', 'kuka_kr6_r900', 'kuka_kr210_l150', 'fanuc_lrmate200id', 'fanuc_m10ia', 'abb_irb140', 'abb_irb120']; // prettier-ignore
+const COMMON = [
+  'puma560',
+  'kuka_kr5_arc',
+  'kuka_kr6_r900',
+  'kuka_kr210_l150',
+  'fanuc_lrmate200id',
+  'fanuc_m10ia',
+  'abb_irb140',
+  'abb_irb120',
+];
 
 test('which arms are of this kind', () => {
   expect(ALL_ARMS.filter((name) => recognise(publishedArm(name))).sort()).toEqual([...COMMON].sort());
@@ -126,7 +135,8 @@ describe('at the edges', () => {
   test('a wrist in line, a centre on axis 1 and one on axis 2 are said so', () => {
     expect(write(description, poseAt(description, [0.3, 0.4, 0.5, 0.6, 0, 0.7])).bits & WRIST_IN_LINE).not.toBe(0);
     const upright = [0.3, -RIGHT - 0.4, RIGHT + 0.3, 0.5, 0.6, 0.7];
-    // Links of the same length make an isosceles triangle: half the bend of the elbow brings the wrist over the shoulder.
+    // Links of the same length make an isosceles triangle: half the bend of the elbow brings the wrist over the
+    // shoulder.
     upright[1] = -RIGHT - (upright[2] + RIGHT) / 2;
     expect(write(description, poseAt(description, upright)).bits & SHOULDER_SINGULAR).not.toBe(0);
     expect(write(description, poseAt(description, [0.3, 0.4, RIGHT, 0.5, 0.6, 0.7])).bits & FOLDED).not.toBe(0);

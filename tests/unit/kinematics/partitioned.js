@@ -1,5 +1,6 @@
 /**
- * Chains built to have a wrist, and what the tests of their solver ask of its answers: all by the plain matrices of oracle.js.
+ * Chains built to have a wrist, and what the tests of their solver ask of its answers: all by the plain matrices of
+ * oracle.js.
  * @import { Candidates } from '../../../src/kinematics/candidates.js'
  * @import { ChainDescription } from '../../../src/kinematics/chain.js'
  * @import { Convention, JointRow } from '../../../src/kinematics/joint.js'
@@ -44,13 +45,23 @@ export function solve(description, T_base_goal) {
 /** @param {ChainDescription} description @param {ArrayLike<number>} q */
 export const poseAt = (description, q) => columnMajor(oracleForward(description, q).tcp);
 
-/** How far a posture is from the pose of another one; metres and radians alike. @param {ChainDescription} description @param {ArrayLike<number>} p @param {ArrayLike<number>} q */
+/**
+ * How far a posture is from the pose of another one; metres and radians alike.
+ * @param {ChainDescription} description
+ * @param {ArrayLike<number>} p
+ * @param {ArrayLike<number>} q
+ */
 export function miss(description, p, q) {
   const [there, goal] = [oracleForward(description, p).tcp, oracleForward(description, q).tcp];
   return Math.max(distanceBetween(there, goal), angleBetween(there, goal));
 }
 
-/** How far apart two postures are, full turns aside. @param {ChainDescription} description @param {ArrayLike<number>} p @param {ArrayLike<number>} q */
+/**
+ * How far apart two postures are, full turns aside.
+ * @param {ChainDescription} description
+ * @param {ArrayLike<number>} p
+ * @param {ArrayLike<number>} q
+ */
 export const apart = ({ joints }, p, q) =>
   Math.max(
     ...joints.map(({ type }, i) =>
@@ -62,18 +73,37 @@ export const apart = ({ joints }, p, q) =>
 export const nearest = (description, { postures }, q) =>
   Math.min(Infinity, ...postures.map((p) => apart(description, p, q)));
 
-/** The worst miss of everything that was found. @param {ChainDescription} description @param {Candidates} candidates @param {ArrayLike<number>} q */
+/**
+ * The worst miss of everything that was found.
+ * @param {ChainDescription} description
+ * @param {Candidates} candidates
+ * @param {ArrayLike<number>} q
+ */
 export const worst = (description, { postures, families }, q) =>
   Math.max(0, ...[...postures, ...families.map((family) => family.q)].map((p) => miss(description, p, q)));
 
-/** Candidates that meet the pose: an arm of few joints also has some that come near and are for the caller to throw out. @param {ChainDescription} description @param {Candidates} candidates @param {ArrayLike<number>} q */
+/**
+ * Candidates that meet the pose: an arm of few joints also has some that come near and are for the caller to throw out.
+ * @param {ChainDescription} description
+ * @param {Candidates} candidates
+ * @param {ArrayLike<number>} q
+ */
 export const met = (description, { postures }, q) => postures.filter((p) => miss(description, p, q) < 1e-9);
 
-/** How many pairs are the same posture. @param {ChainDescription} description @param {readonly Float64Array[]} postures */
+/**
+ * How many pairs are the same posture.
+ * @param {ChainDescription} description
+ * @param {readonly Float64Array[]} postures
+ */
 export const repeats = (description, postures) =>
   postures.filter((p, i) => postures.slice(0, i).some((other) => apart(description, p, other) < 1e-6)).length;
 
-/** Away from what would make an arm degenerate. @param {() => number} random @param {number} low @param {number} high */
+/**
+ * Away from what would make an arm degenerate.
+ * @param {() => number} random
+ * @param {number} low
+ * @param {number} high
+ */
 const eitherWay = (random, low, high) => (random() < 0.5 ? -1 : 1) * (low + (high - low) * random());
 
 /** @param {() => number} random */
@@ -91,12 +121,13 @@ const special = (random) => ({
 });
 
 /**
- * Any arm of `regional` joints (P slides, R turns) before a wrist of 0 to 3, with a posture. `isBackwards` turns it round, so that its
- * first axes meet.
+ * Any arm of `regional` joints (P slides, R turns) before a wrist of 0 to 3, with a posture. `isBackwards` turns it
+ * round, so that its first axes meet.
  * @param {() => number} random
  * @param {string} regional
  * @param {number} wrist
- * @param {{ isBackwards?: boolean, isSpecial?: boolean }} [options]  isSpecial: parallel axes and lengths of zero, perhaps a joint too many
+ * @param {{ isBackwards?: boolean, isSpecial?: boolean }} [options]  isSpecial: parallel axes and lengths of zero,
+ *   perhaps a joint too many
  * @returns {{ description: ChainDescription, q: number[] }}
  */
 export function anyPartitioned(random, regional, wrist, { isBackwards = false, isSpecial = false } = {}) {

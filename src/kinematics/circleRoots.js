@@ -35,6 +35,9 @@ const SIN = Math.sin(ARC / 2);
 /** An arc is halved so often at most; then it is 2e-7 wide. */
 const DEEPEST = 22;
 
+/** Arcs that end and begin within this (radians) are neighbours. */
+const GAP = 1e-9;
+
 /** Zeros are refined until they move by less than this (radians), which takes fewer steps than that. */
 const GRAIN = 1e-14;
 const MOST_STEPS = 60;
@@ -150,11 +153,11 @@ function halve(at) {
  * @param {ArrayLike<number>} c
  * @param {number} low
  * @param {number} high
+ * @param {boolean} isRising
  * @param {number} noise
  * @returns {Zero}
  */
-function refine(c, low, high, noise) {
-  const isRising = evaluate(c, low)[0] < 0;
+function refine(c, low, high, isRising, noise) {
   let angle = (low + high) / 2;
   for (let k = 0; k < MOST_STEPS; k++) {
     const [value, slope] = evaluate(c, angle);
@@ -190,7 +193,7 @@ export function circleZeros(c, noise) {
     for (let top = 0; top >= 0; top--) {
       const [from, to] = [spans[2 * top], spans[2 * top + 1]];
       const allowed = zerosAllowed(top * COUNT, noise);
-      if (allowed === 1) zeros.push(refine(c, angleAt(arc, from), angleAt(arc, to), noise));
+      if (allowed === 1) zeros.push(refine(c, angleAt(arc, from), angleAt(arc, to), rows[top * COUNT] < 0, noise));
       else if (allowed === -2 || (allowed === -1 && to - from < 2 ** -DEEPEST)) {
         unsettled.push([angleAt(arc, from), angleAt(arc, to)]);
       } else if (allowed === -1) {
@@ -205,14 +208,19 @@ export function circleZeros(c, noise) {
   return zeros.sort((a, b) => a.angle - b.angle);
 }
 
-/** Neighbours become one. @param {[number, number][]} spans @returns {[number, number][]} */
+/** Neighbours become one, also where the circle closes. @param {[number, number][]} spans @returns {[number, number][]} */
 function joined(spans) {
   /** @type {[number, number][]} */
   const whole = [];
   for (const [low, high] of spans) {
     const last = whole.at(-1);
-    if (last && low - last[1] < 1e-9) last[1] = high;
+    if (last && low - last[1] < GAP) last[1] = high;
     else whole.push([low, high]);
+  }
+  const last = whole.at(-1);
+  if (last && whole.length > 1 && whole[0][0] + 2 * Math.PI - last[1] < GAP) {
+    whole[0][0] = last[0] - 2 * Math.PI;
+    whole.pop();
   }
   return whole;
 }
@@ -231,7 +239,7 @@ function settle(c, low, high, noise) {
   const [value, slope, bend] = evaluate(c, middle);
   if (slope * slope > 16 * noise * Math.abs(bend) && Math.abs(slope) > 4 * half * Math.abs(bend)) {
     const away = -value / slope;
-    return Math.abs(away) > 2 * half + noise / Math.abs(slope)
+    return Math.abs(away) > half + noise / Math.abs(slope)
       ? []
       : [{ angle: middle + away, width: noise / Math.abs(slope), count: 1 }];
   }

@@ -27,6 +27,9 @@ const BOTH_FLAT = 1e-9;
 /** What curves may miss each other by and still be said to meet: what comes of it is checked. */
 const PLAUSIBLE = 1e-5;
 
+/** A double root that only rounding made, far out where a polynomial is flat, is told by this. */
+const FAR_OFF = 1e-3;
+
 /** @param {Curve} curve */
 const isPoint = ({ size, width }) => size < POINT && width < POINT;
 
@@ -45,7 +48,12 @@ export function meetings(one, two) {
   if (isPoint(one) || isPoint(two)) return atPoint(one, two);
   const areFlat = one.width * two.width <= BOTH_FLAT * one.size * two.size;
   const found = isFlat(one) || isFlat(two) || areFlat ? alongFlat(one, two) : round(one, two);
-  return found.map((meeting) => (meeting.isOverlap ? meeting : refined(one, two, meeting)));
+  return found
+    .map((some) => (some.isOverlap ? some : refined(one, two, some)))
+    .filter((some) => {
+      const point = pointAt(one, some.one);
+      return Math.hypot(...less(point, pointAt(two, some.two))) < FAR_OFF * (1 + Math.hypot(...point));
+    });
 }
 
 /** @param {number} a @param {number} b @param {Partial<Meeting>} [more] @returns {Meeting} */

@@ -43,7 +43,7 @@ describe('published arms', () => {
   test.each(COUNTS)('%s: the posture that makes a pose is found, with the others, each once', (name, counts) => {
     const description = publishedArm(name);
     const seen = new Set();
-    for (let i = 0; i < runs(12); i++) {
+    for (let i = 0; i < runs(8); i++) {
       const q = anywhere(description);
       const found = solve(description, poseAt(description, q));
       expect(nearest(description, found, q)).toBeLessThan(1e-7);
@@ -134,7 +134,7 @@ describe('any chain that is built to have a wrist', () => {
     /** @type {const} */ (['', 3]),
   ];
   test.each(structures)('%s and %i turns about one point', (regional, wrist) => {
-    for (let i = 0; i < runs(6); i++) {
+    for (let i = 0; i < runs(4); i++) {
       const { description, q } = anyPartitioned(random, regional, wrist, { isBackwards: i % 2 === 1 });
       const found = solve(description, poseAt(description, q));
       expect(nearest(description, found, q)).toBeLessThan(1e-6);
@@ -151,7 +151,7 @@ describe('any chain that is built to have a wrist', () => {
   test.each(structures)(
     '%s and %i turns, perhaps a joint too many: nothing is lost without a word',
     (regional, wrist) => {
-      for (let i = 0; i < runs(6); i++) {
+      for (let i = 0; i < runs(4); i++) {
         const { description, q } = anyPartitioned(random, regional, wrist, {
           isBackwards: i % 2 === 1,
           isSpecial: true,

@@ -67,9 +67,6 @@ const RESTARTS_BEFORE = { quick: 2, slow: 12 };
  */
 const BORDER = { least: 1e-6, tolerances: 100 };
 
-/** A goal no farther beyond reach than this share of it may be a slide's limit's fault; one that is farther, nobody's. */
-const SLIDE_SHORTAGE = 0.25;
-
 /** Starts when limits are ignored: there are at most 16 solutions, and the one least outside is wanted. */
 const OUTSIDE_RESTARTS = 50;
 
@@ -201,12 +198,18 @@ export function inverseKinematics(chain, T_base_goal, options = {}) {
   /** @param {number} beyond  how far the goal is beyond the arm's reach @returns {InverseResult} */
   function tooFar(beyond) {
     seekInside(hunt, 'pose', Math.min(restarts, NEAREST_RESTARTS));
-    // No turn brings the goal nearer, but a slide that is a little too short is a matter of its limit.
-    const isLimit = beyond < SLIDE_SHORTAGE * chain.reach && chain.joints.some(({ type }) => type === 'prismatic');
-    const outside = isLimit ? seekPast('pose') : null;
+    const outside = chain.joints.some(({ type }) => type === 'prismatic') ? longerSlide() : null;
     if (outside) return outside;
     const shortBy = Math.max(beyond, seekPlace(hunt, 0));
     return nearest({ status: 'unreachable', reason: 'distance', shortBy, beyondReach: beyond });
+  }
+
+  /** No turn takes the tool farther than the arm's reach, but a slide that goes past its limit may. @returns {InverseResult | null} */
+  function longerSlide() {
+    const every = solver && solveEveryPosture(chain, T_base_goal, settings);
+    const excess = every && leastExcess(chain, every.postures);
+    if (excess) return onlyOutside(excess);
+    return every?.isComplete ? null : seekPast('pose');
   }
 
   /** What is known of the pose after a few descents in vain. @param {EveryPosture} every */

@@ -127,7 +127,7 @@ describe('outside the limits', () => {
     expect(below.limit).toEqual({ joint: 2, by: expect.closeTo(0.03, 8), bound: 'upper' });
     expect(below.positionError).toBeLessThan(0.031);
   });
-  test('a slide that is much too short is out of reach instead', () => {
+  test('a slide that is short by metres is, too, and no turn makes up for a slide', () => {
     /** @type {ChainDescription} */
     const telescope = {
       convention: 'standard',
@@ -142,8 +142,13 @@ describe('outside the limits', () => {
       limit: { joint: 2, by: expect.closeTo(0.1, 8), bound: 'upper' },
     });
     expect(solve(telescope, goalOf(telescope, [0.3, 0.4, 3]))).toMatchObject({
+      status: 'outside-limits',
+      limit: { joint: 2, by: expect.closeTo(2, 8), bound: 'upper' },
+    });
+    const scara = arm('scara_cobra600');
+    expect(solve(scara, moved(goalOf(scara, [0.1, 0.5, 0.1, 0.2]), [1, 0, 0]))).toMatchObject({
       status: 'unreachable',
-      beyondReach: expect.closeTo(2, 8),
+      reason: 'distance',
     });
   });
   test('nothing is outside by nothing: a solution found while ignoring the limits, but inside them, is an answer', () => {

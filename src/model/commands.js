@@ -4,7 +4,8 @@
  *
  * A value that is undefined takes a limit away.
  *
- * @import { Doc, JointDoc, JointField } from './document.js'
+ * @import { Convention, Doc, JointDoc, JointField, Units } from './document.js'
+ * @import { JointCommand } from './jointCommands.js'
  *
  * @typedef {{ type: 'set-joint-field', joint: number, field: JointField, value: number | undefined }
  *   | { type: 'set-joint-value', joint: number, value: number }
@@ -12,8 +13,18 @@
  *   | { type: 'record-posture' }
  *   | { type: 'rename-posture', index: number, id: string }
  *   | { type: 'remove-posture', index: number }
- *   | { type: 'replace-document', doc: Doc }} Command
+ *   | { type: 'replace-document', doc: Doc }
+ *   | { type: 'convert-units', units: Units }
+ *   | { type: 'convert-convention', convention: Convention }
+ *   | { type: 'reinterpret-convention', convention: Convention }
+ *   | JointCommand} Command
+ *
+ * Converting keeps the robot and changes the numbers; reinterpreting keeps the numbers and changes the robot.
  */
+import { convertConvention } from './convertConvention.js';
+import { convertUnits } from './convertUnits.js';
+import { applyJointCommand } from './jointCommands.js';
+
 /**
  * @param {Doc} doc
  * @param {Command} command  that `refusal` has nothing against
@@ -48,6 +59,20 @@ export function applyCommand(doc, command) {
       return { ...doc, postures: postures.toSpliced(command.index, 1) };
     case 'replace-document':
       return command.doc;
+    case 'convert-units':
+      return convertUnits(doc, command.units);
+    case 'convert-convention':
+      return convertConvention(doc, command.convention);
+    case 'reinterpret-convention':
+      return robot.convention === command.convention
+        ? doc
+        : { ...doc, robot: { ...robot, convention: command.convention } };
+    case 'add-joint':
+    case 'remove-joint':
+    case 'duplicate-joint':
+    case 'move-joint':
+    case 'set-joint-type':
+      return applyJointCommand(doc, command);
     default:
       return assertNever(command);
   }

@@ -6,7 +6,10 @@
  * @import { Issue } from './issues.js'
  */
 import { MAX_POSTURES } from './document.js';
-import { ID_PATTERN, LARGEST_NUMBER, PRESENT_POSTURE_ID } from './documentRules.js';
+import { CONVENTIONS, ID_PATTERN, PRESENT_POSTURE_ID } from './documentRules.js';
+import { jointRefusal } from './jointRefusals.js';
+import { badChoice, badIndex, badNumber, issue, shown } from './refusalParts.js';
+import { unitsRefusal, baseAndToolRefusal } from './convertRefusals.js';
 
 /** @type {Record<JointField, string>} */
 const FIELD_NAMES = {
@@ -53,33 +56,30 @@ export function refusal(doc, command) {
       return badIndex('posture', command.index, postures.length) ?? badPostureId(doc, command);
     case 'remove-posture':
       return badIndex('posture', command.index, postures.length);
+    case 'convert-units':
+      return unitsRefusal(doc, command.units);
+    case 'convert-convention':
+      return badConvention(command.convention) ?? baseAndToolRefusal(doc, command.convention);
+    case 'reinterpret-convention':
+      return badConvention(command.convention);
+    case 'add-joint':
+    case 'remove-joint':
+    case 'duplicate-joint':
+    case 'move-joint':
+    case 'set-joint-type':
+      return jointRefusal(robot.joints, command);
     default:
       return null;
   }
 }
 
-/** @param {string} code @param {string} path @param {string} message @returns {Issue} */
-const issue = (code, path, message) => ({ severity: 'error', code, path, message });
-
-/** A value in a sentence: a text in quotes, a number with a true minus. @param {unknown} value */
-const shown = (value) => (typeof value === 'string' ? `"${value}"` : String(value).replace('-', '−'));
-
-/** @param {'joint' | 'posture'} what @param {number} index @param {number} count */
-function badIndex(what, index, count) {
-  if (Number.isInteger(index) && index >= 0 && index < count) return null;
-  return issue('index', what, `Expected a ${what} index from 0 to ${count - 1}, got ${shown(index)}.`);
-}
+/** @param {string} convention */
+const badConvention = (convention) => badChoice('the convention', 'robot.convention', convention, CONVENTIONS);
 
 /** @param {string} field */
 function badField(field) {
   if (Object.hasOwn(FIELD_NAMES, field)) return null;
   return issue('field', 'robot.joints', `Expected one of ${Object.keys(FIELD_NAMES).join(', ')}, got ${shown(field)}.`);
-}
-
-/** @param {string} what @param {number | undefined} value @param {boolean} [mayBeAbsent] */
-function badNumber(what, value, mayBeAbsent = false) {
-  if (value === undefined ? mayBeAbsent : Number.isFinite(value) && Math.abs(value) <= LARGEST_NUMBER) return null;
-  return issue('number', what, `A ${what} is a number from −10⁹ to 10⁹; got ${shown(value)}.`);
 }
 
 /** @param {Doc} doc @param {Extract<Command, { type: 'set-joint-field' }>} command */

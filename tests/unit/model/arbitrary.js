@@ -16,6 +16,13 @@ const anyGesture = fc.option(fc.constantFrom('a', 'b'), { nil: undefined });
 /** @type {JointField[]} */
 const FIELDS = ['theta', 'd', 'a', 'alpha', 'lower', 'upper', 'home'];
 
+/** One of these, and now and then another. @template {string} Word @param {...Word} words */
+const anyWordOf = (...words) =>
+  fc.oneof(
+    { weight: 9, arbitrary: fc.constantFrom(...words) },
+    { weight: 1, arbitrary: fc.constantFrom('', '__proto__', 'toString').map((word) => /** @type {Word} */ (word)) },
+  );
+
 /** Sensible and senseless ones. @type {import('fast-check').Arbitrary<Action>} */
 export const anyAction = fc.oneof(
   fc.record({
@@ -43,6 +50,25 @@ export const anyAction = fc.oneof(
   }),
   fc.record({ type: fc.constant(/** @type {const} */ ('remove-posture')), index: fc.integer({ min: -1, max: 4 }) }),
   anyDocument.map((doc) => /** @type {Action} */ ({ type: 'replace-document', doc })),
+  fc.record({ type: fc.constant(/** @type {const} */ ('add-joint')), after: anyJoint }),
+  fc.record({
+    type: fc.constantFrom(/** @type {const} */ ('remove-joint'), /** @type {const} */ ('duplicate-joint')),
+    joint: anyJoint,
+  }),
+  fc.record({ type: fc.constant(/** @type {const} */ ('move-joint')), joint: anyJoint, to: anyJoint }),
+  fc.record({
+    type: fc.constant(/** @type {const} */ ('set-joint-type')),
+    joint: anyJoint,
+    jointType: anyWordOf('revolute', 'prismatic', 'continuous'),
+  }),
+  fc.record({
+    type: fc.constant(/** @type {const} */ ('convert-units')),
+    units: fc.record({ length: anyWordOf('mm', 'cm', 'm'), angle: anyWordOf('deg', 'rad') }),
+  }),
+  fc.record({
+    type: fc.constantFrom(/** @type {const} */ ('convert-convention'), /** @type {const} */ ('reinterpret-convention')),
+    convention: anyWordOf('standard', 'modified'),
+  }),
   fc.constantFrom(...['undo', 'redo', 'end-gesture', 'cancel-gesture'].map((type) => /** @type {Action} */ ({ type }))),
   fc.record({
     type: fc.constant(/** @type {const} */ ('show')),

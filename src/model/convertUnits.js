@@ -1,0 +1,138 @@
+/**
+ * The same robot in other units: every number of the document converts, none is merely relabelled. Left as they are: what
+ * has no unit of the document (quaternions, efforts, couplings), controller programs, and foreign elements.
+ *
+ * @import { DhField, Doc, FrameDoc, JointDoc, PoseDoc, Units } from './document.js'
+ * @typedef {'length' | 'angle'} Quantity
+ * @typedef {(quantity: Quantity, value: number) => number} Convert
+ */
+import { DH_FIELDS, quantityOf } from './document.js';
+import { LARGEST_NUMBER } from './documentRules.js';
+import { commonAngle, convertAngle, convertLength } from './units.js';
+
+const LIMITS = /** @type {const} */ (['lower', 'upper', 'home']);
+const RATES = /** @type {const} */ (['velocity', 'acceleration', 'jerk']);
+const SIZES = /** @type {const} */ (['radius', 'width', 'height']);
+
+/** A number with its own unit means the same in a document of any units. */
+const HAS_OWN_UNIT = /^\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*(mm|cm|m|in|deg|°|rad)\s*$/;
+
+/**
+ * @param {Doc} doc
+ * @param {Units} units
+ * @returns {Doc} the same object if it has these units
+ */
+export function convertUnits(doc, units) {
+  const from = doc.robot.units;
+  if (from.length === units.length && from.angle === units.angle) return doc;
+  return inUnits(doc, units, converter(from, units));
+}
+
+/**
+ * The first number that no document can hold in these units, as it would be there: too large, or too small to be told
+ * from zero.
+ * @param {Doc} doc
+ * @param {Units} units
+ * @returns {{ quantity: Quantity, value: number } | null}
+ */
+export function firstBeyond(doc, units) {
+  /** @type {{ quantity: Quantity, value: number } | null} */
+  let found = null;
+  const convert = converter(doc.robot.units, units);
+  inUnits(doc, units, (quantity, old) => {
+    const value = convert(quantity, old);
+    if (Math.abs(value) > LARGEST_NUMBER || (value === 0 && old !== 0)) found ??= { quantity, value };
+    return value;
+  });
+  return found;
+}
+
+/** @param {Units} from @param {Units} to @returns {Convert} */
+const converter = (from, to) => (quantity, value) =>
+  quantity === 'length' ? convertLength(value, from.length, to.length) : convertAngle(value, from.angle, to.angle);
+
+/** @param {Doc} doc @param {Units} units @param {Convert} convert @returns {Doc} */
+function inUnits(doc, { length, angle }, convert) {
+  const { robot } = doc;
+  const values = (/** @type {readonly number[]} */ q) =>
+    q.map((value, i) => convert(quantityOf(robot.joints[i], 'home'), value));
+  const units = { length, angle };
+  return {
+    ...doc,
+    robot: {
+      ...robot,
+      units,
+      base: convertPose(robot.base, convert),
+      tool: convertPose(robot.tool, convert),
+      joints: robot.joints.map((joint) => withTexts(convertJoint(joint, convert), joint, robot.units, units)),
+    },
+    posture: values(doc.posture),
+    postures: doc.postures.map((posture) => ({ ...posture, q: values(posture.q) })),
+    frames: doc.frames.map((frame) => convertPose(frame, convert)),
+  };
+}
+
+/**
+ * @template {PoseDoc | FrameDoc} Pose
+ * @param {Pose} pose
+ * @param {Convert} convert
+ * @returns {Pose}
+ */
+function convertPose(pose, convert) {
+  const xyz = pose.xyz.map((value) => convert('length', value));
+  return { ...pose, xyz, ...(pose.rpy && { rpy: pose.rpy.map((value) => convert('angle', value)) }) };
+}
+
+/** @param {JointDoc} joint @param {Convert} convert @returns {JointDoc} */
+function convertJoint(joint, convert) {
+  const own = quantityOf(joint, 'home');
+  const link = converted(joint.link, SIZES, () => 'length', convert);
+  const controller = { ...joint.controller, offset: convert(own, joint.controller.offset) };
+  const row = converted(joint, [...DH_FIELDS, ...LIMITS], (field) => quantityOf(joint, field), convert);
+  // Numbers that differ in the last digit only may change places by it.
+  const upper = row.lower !== undefined && row.upper !== undefined && row.lower > row.upper ? row.lower : row.upper;
+  const limits = upper === undefined ? {} : { upper };
+  return { ...converted(row, RATES, () => own, convert), ...limits, link, controller };
+}
+
+/**
+ * @template {string} Field
+ * @template {{ readonly [Name in Field]?: number }} Thing
+ * @param {Thing} thing
+ * @param {readonly Field[]} fields
+ * @param {(field: Field) => Quantity} quantity
+ * @param {Convert} convert
+ * @returns {Thing}
+ */
+function converted(thing, fields, quantity, convert) {
+  const numbers = fields.flatMap((field) => {
+    const value = thing[field];
+    return value === undefined ? [] : [[field, convert(quantity(field), value)]];
+  });
+  return { ...thing, ...Object.fromEntries(numbers) };
+}
+
+/**
+ * What was typed stays where it still means the number: in a column whose unit stays, or with a unit of its own. A common
+ * angle that becomes radians is written as a fraction of π.
+ * @param {JointDoc} joint  its numbers in the new units
+ * @param {JointDoc} old
+ * @param {Units} from
+ * @param {Units} to
+ * @returns {JointDoc}
+ */
+function withTexts(joint, old, from, to) {
+  /** @type {Partial<Record<DhField, string>>} */
+  const text = {};
+  for (const field of DH_FIELDS) {
+    const quantity = quantityOf(old, field);
+    const typed = old.text?.[field];
+    const stays = from[quantity] === to[quantity] || (typed !== undefined && HAS_OWN_UNIT.test(typed));
+    const kept = stays ? typed : quantity === 'angle' && to.angle === 'rad' ? commonAngle(old[field])?.text : undefined;
+    if (kept !== undefined) text[field] = kept;
+  }
+  /** @type {JointDoc} */
+  const row = { ...joint, text };
+  if (Object.keys(text).length === 0) delete row.text;
+  return row;
+}

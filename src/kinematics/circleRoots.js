@@ -38,6 +38,9 @@ const DEEPEST = 22;
 /** Arcs that end and begin within this (radians) are neighbours. */
 const GAP = 1e-9;
 
+/** A cluster wider than this to either side (radians) is not looked into. */
+const WIDEST = 3e-3;
+
 /** Zeros are refined until they move by less than this (radians), which takes fewer steps than that. */
 const GRAIN = 1e-14;
 const MOST_STEPS = 60;
@@ -226,7 +229,8 @@ function joined(spans) {
 }
 
 /**
- * One zero that happened to lie where an arc was cut is no cluster: the slope, compared with the bend, tells.
+ * One zero that happened to lie where an arc was cut is no cluster, since the curve is steep there; and where it is plainly
+ * bent there are two at most.
  * @param {ArrayLike<number>} c
  * @param {number} low
  * @param {number} high
@@ -237,15 +241,27 @@ function settle(c, low, high, noise) {
   const middle = (low + high) / 2;
   const half = (high - low) / 2;
   const [value, slope, bend] = evaluate(c, middle);
-  if (slope * slope > 16 * noise * Math.abs(bend) && Math.abs(slope) > 4 * half * Math.abs(bend)) {
-    const away = -value / slope;
-    return Math.abs(away) > half + noise / Math.abs(slope)
-      ? []
-      : [{ angle: middle + away, width: noise / Math.abs(slope), count: 1 }];
+  if (half < WIDEST) {
+    if (Math.abs(slope) * half > noise / 8 && isEven(c, low, high, 1)) {
+      const away = -value / slope;
+      const width = noise / Math.abs(slope);
+      return Math.abs(away) > half + width ? [] : [{ angle: middle + away, width, count: 1 }];
+    }
+    if (Math.abs(bend) * half * half > noise / 16 && isEven(c, low, high, 2)) {
+      return [{ angle: middle, width: half, count: 2 }];
+    }
   }
-  const isBent = [low, high].every((angle) => {
-    const at = evaluate(c, angle)[2];
-    return at * bend > 0 && Math.abs(at) * half * half > noise / 16 && Math.abs(at - bend) < Math.abs(bend) / 2;
-  });
-  return [{ angle: middle, width: half, count: isBent ? 2 : Infinity }];
+  return [{ angle: middle, width: half, count: Infinity }];
+}
+
+/**
+ * Whether a derivative is at both ends about what it is in the middle.
+ * @param {ArrayLike<number>} c
+ * @param {number} low
+ * @param {number} high
+ * @param {1 | 2} order
+ */
+function isEven(c, low, high, order) {
+  const middle = evaluate(c, (low + high) / 2)[order];
+  return [low, high].every((end) => Math.abs(evaluate(c, end)[order] - middle) < Math.abs(middle) / 2);
 }

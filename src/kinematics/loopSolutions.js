@@ -141,6 +141,17 @@ export function lookBeside(loop, found) {
     closeLoop(loop, q, STEPS, 0);
     addBeside(loop, q.slice(), NEAR, found);
   }
+  mergeSame(loop, found);
+}
+
+/** Postures may have moved on to where others are. @param {Loop} loop @param {Float64Array[]} found  changed in place */
+function mergeSame(loop, found) {
+  for (let i = found.length - 1; i > 0; i--) {
+    const same = found.findIndex((other, j) => j < i && isSame(loop, found[i], other));
+    if (same < 0) continue;
+    if (gapAt(loop, found[i]) < gapAt(loop, found[same])) found[same].set(found[i]);
+    found.splice(i, 1);
+  }
 }
 
 /**

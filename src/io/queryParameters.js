@@ -7,7 +7,7 @@
  * @property {(text: string) => T | undefined} read  undefined when the text is not acceptable
  * @property {string} help
  */
-import { FIRST_ROBOT, LIBRARY } from '../model/library.js';
+import { FIRST_ROBOT, LIBRARY_IDS } from '../model/shelf.js';
 
 /**
  * @template {string} Value
@@ -17,7 +17,7 @@ import { FIRST_ROBOT, LIBRARY } from '../model/library.js';
 const oneOf = (values) => (text) => values.find((value) => value === text);
 
 export const SCHEMA = {
-  robot: { initial: FIRST_ROBOT, read: oneOf(Object.keys(LIBRARY)), help: 'The robot to begin with, by its id.' },
+  robot: { initial: FIRST_ROBOT, read: oneOf(LIBRARY_IDS), help: 'The robot to begin with, by its id.' },
   theme: {
     initial: /** @type {'auto' | 'light' | 'dark' | null} */ (null),
     read: oneOf(/** @type {const} */ (['auto', 'light', 'dark'])),

@@ -3,24 +3,17 @@
  * @import { Child } from './dom.js'
  * @import { IconName } from './icons.js'
  * @import { Page } from './page.js'
- * @import { RobotDoc } from '../model/document.js'
  * @import { Files } from './files.js'
  * @import { Theme } from './theme.js'
  */
 import $ from 'jquery/slim';
 import Dropdown from 'bootstrap/js/src/dropdown.js';
-import { LIBRARY, newDocument } from '../model/library.js';
-import { isSliding } from '../model/document.js';
 import { fill, h, spoken } from './dom.js';
 import { icon } from './icons.js';
+import { typesOf } from './jointTypes.js';
 import { step } from './page.js';
 import { TEXT } from './strings.js';
-
-/** "6R" or "RRPR": a joint's letter each, a single kind shortened. @param {RobotDoc} robot */
-function typesOf({ joints }) {
-  const letters = joints.map((joint) => (isSliding(joint) ? 'P' : 'R')).join('');
-  return /^(.)\1*$/.test(letters) ? `${letters.length}${letters[0]}` : letters;
-}
+import { createUnitsMenu } from './unitsMenu.js';
 
 /**
  * @param {Page} page
@@ -31,7 +24,7 @@ export function createBar(page, host, { files, theme }) {
   const { addView, announce } = page;
   const robotName = h('span', { class: 'b robot-name' });
   const robotTypes = h('span', { class: 'soft wide-only' });
-  const units = h('span', { class: 'soft wide-only' });
+  const units = createUnitsMenu(page, 'wide-only');
   const undo = iconButton('undo', TEXT.bar.undo);
   const redo = iconButton('redo', TEXT.bar.redo);
   const colours = iconButton('circleHalf', TEXT.bar.theme);
@@ -46,8 +39,8 @@ export function createBar(page, host, { files, theme }) {
       h('span', { class: 'wide-only', 'aria-hidden': 'true' }, TEXT.product),
     ),
     h('span', { class: 'rule wide-only' }),
-    menu(TEXT.bar.chooseRobot, [robotName, robotTypes], robotItems(page)),
-    menu(null, [TEXT.bar.file], fileItems(files)),
+    robotButton(page, [robotName, robotTypes]),
+    menu([TEXT.bar.file], fileItems(files)),
     h('span', { class: 'rule' }),
     undo,
     redo,
@@ -66,7 +59,6 @@ export function createBar(page, host, { files, theme }) {
     (robot) => {
       robotName.textContent = robot.name || TEXT.unnamedRobot;
       robotTypes.textContent = typesOf(robot);
-      fill(units, spoken(TEXT.bar.unitsLabel), ' ', TEXT.bar.unitsOf(robot.units.length, robot.units.angle));
       document.title = TEXT.title(robot.name || TEXT.unnamedRobot);
     },
   );
@@ -85,14 +77,13 @@ const iconButton = (name, label) =>
   h('button', { type: 'button', class: 'btn btn-icon', 'aria-label': label, title: label }, icon(name));
 
 /**
- * @param {string | null} hint  shown when the pointer rests on it
  * @param {Child[]} content
  * @param {HTMLElement[]} items
  */
-function menu(hint, content, items) {
+function menu(content, items) {
   const button = h(
     'button',
-    { type: 'button', class: 'btn', 'data-bs-toggle': 'dropdown', 'aria-expanded': 'false', title: hint },
+    { type: 'button', class: 'btn', 'data-bs-toggle': 'dropdown', 'aria-expanded': 'false' },
     content,
     icon('caret', 'caret'),
   );
@@ -111,16 +102,24 @@ function item(title, detail, run) {
   return h('li', {}, button);
 }
 
-/** @param {Page} page */
-const robotItems = ({ opener, announce }) => [
-  h('li', {}, h('h2', { class: 'dropdown-header' }, TEXT.bar.library)),
-  ...Object.values(LIBRARY).map((robot) =>
-    item(robot.name, TEXT.bar.degreesOfFreedom(robot.joints.length, typesOf(robot)), () => {
-      opener.open(newDocument(robot));
-      announce(TEXT.bar.chosen(robot.name));
-    }),
-  ),
-];
+/** Which robot it is, and the way to the library. @param {Page} page @param {Child[]} content */
+function robotButton(page, content) {
+  const button = h(
+    'button',
+    { type: 'button', class: 'btn', 'aria-haspopup': 'dialog', title: TEXT.bar.chooseRobot },
+    content,
+    icon('caret', 'caret'),
+  );
+  $(button).on('click', async () => {
+    try {
+      const { openRobotPicker } = await import('./robotPicker.js');
+      openRobotPicker(page);
+    } catch (error) {
+      page.messages.fault(error);
+    }
+  });
+  return button;
+}
 
 /** @param {Files} files */
 const fileItems = (files) => [

@@ -6,8 +6,11 @@
  */
 import { writeRobotXml } from '../io/robotXmlWriter.js';
 import { aim } from '../model/aim.js';
-import { LIBRARY, newDocument } from '../model/library.js';
+import { newDocument } from '../model/newDocument.js';
 import { poseFromRows, rowsOf } from '../model/poseRows.js';
+import { LIBRARY_IDS, loadRobot } from '../model/shelf.js';
+
+const OVERTAKEN = 'Another document was opened in the meantime.';
 
 /**
  * @param {Page} page
@@ -26,14 +29,15 @@ export function createScripting({ store, derived, opener }, { ready, clock }) {
      */
     async load(robotIdOrXml) {
       const text = String(robotIdOrXml);
-      if (Object.hasOwn(LIBRARY, text)) {
-        opener.open(newDocument(LIBRARY[text]));
+      if (LIBRARY_IDS.includes(text)) {
+        const isWanted = opener.begin();
+        const robot = await loadRobot(text);
+        if (!isWanted()) throw new Error(OVERTAKEN);
+        opener.open(newDocument(robot));
         return;
       }
       if (!text.trimStart().startsWith('<')) {
-        throw new RangeError(
-          `Expected one of ${Object.keys(LIBRARY).join(', ')} or a robot file, got "${text.slice(0, 80)}".`,
-        );
+        throw new RangeError(`Expected one of ${LIBRARY_IDS.join(', ')} or a robot file, got "${text.slice(0, 80)}".`);
       }
       const isWanted = opener.begin();
       const { readRobotXml } = await import('../io/robotXml.js');
@@ -45,7 +49,7 @@ export function createScripting({ store, derived, opener }, { ready, clock }) {
             .map(({ message }) => message)
             .join(' '),
         );
-      if (!isWanted()) throw new Error('Another document was opened in the meantime.');
+      if (!isWanted()) throw new Error(OVERTAKEN);
       opener.open(doc);
     },
 

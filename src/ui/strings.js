@@ -13,7 +13,6 @@ export const TEXT = {
 
   bar: {
     chooseRobot: 'Choose a robot',
-    library: 'Library',
     file: 'File',
     open: 'Open a robot file…',
     openDetail: 'XML, as this page saves it',
@@ -23,10 +22,32 @@ export const TEXT = {
     redo: 'Redo',
     theme: 'Colours: light or dark',
     themeNow: { light: 'Light colours.', dark: 'Dark colours.' },
-    chosen: (/** @type {string} */ robot) => `${robot} is open.`,
-    degreesOfFreedom: (/** @type {number} */ n, /** @type {string} */ types) => `${types}, ${n} joints`,
     unitsOf: (/** @type {string} */ length, /** @type {string} */ angle) => `${length} · ${angle}`,
     unitsLabel: 'Units of the document',
+  },
+
+  library: {
+    title: 'Choose a robot',
+    search: 'Search by name, type or source',
+    searchHint: '6R, KUKA, wrist …',
+    list: 'Robots',
+    found: (/** @type {number} */ n) => (n === 1 ? '1 robot' : `${n} robots`),
+    none: (/** @type {string} */ text) => `No robot matches “${text}”.`,
+    family: {
+      textbook: 'Textbook arms',
+      straightLines: 'SCARA, cylinder and gantry',
+      industrial: 'Industrial arms',
+      light: 'Light and collaborative arms',
+    },
+    facts: (/** @type {string} */ types, /** @type {number} */ n, /** @type {string} */ reach) =>
+      `${types} · ${n} DOF · reach up to ${reach}`,
+    isOpen: 'open now',
+    chosen: (/** @type {string} */ robot) => `${robot} is open.`,
+    freshTitle: 'New robot',
+    freshName: 'New robot',
+    fresh: (/** @type {number} */ n) => `New robot with ${n} joints`,
+    joints: 'joints',
+    freshHint: 'Starts from a table in which every joint moves the tool; undo brings your robot back.',
   },
 
   panels: {
@@ -76,6 +97,53 @@ export const TEXT = {
     hint: 'Each row leads from one joint axis to the next. Choose a cell to see what it means and change it.',
     source: 'Source',
     kept: 'Kept as it was:',
+  },
+
+  /** Joints, units and convention of the whole table. */
+  structure: {
+    menu: (/** @type {string} */ joint) => `${joint}: type, place, remove`,
+    menuOf: (/** @type {number} */ joint, /** @type {string} */ type) => `Joint ${joint}, ${type}: change or add`,
+    add: 'Add joint',
+    type: {
+      revolute: 'Turns (revolute)',
+      prismatic: 'Slides (prismatic)',
+      continuous: 'Turns without end (continuous)',
+    },
+    clears: 'Its limits, home and controller values are cleared.',
+    clearsLimits: 'Its limits are cleared.',
+    typed: {
+      revolute: (/** @type {string} */ joint) => `${joint} turns now.`,
+      prismatic: (/** @type {string} */ joint) => `${joint} slides now.`,
+      continuous: (/** @type {string} */ joint) => `${joint} turns without end now.`,
+    },
+    addAfter: (/** @type {string} */ joint) => `Add a joint after ${joint}`,
+    added: (/** @type {string} */ joint) => `${joint} is added. Its zeros do not move the arm yet.`,
+    duplicate: (/** @type {string} */ joint) => `Duplicate ${joint}`,
+    duplicated: (/** @type {string} */ joint, /** @type {string} */ copy) =>
+      `${copy} is a copy of ${joint}, at its home.`,
+    up: (/** @type {string} */ joint) => `Move ${joint} up`,
+    down: (/** @type {string} */ joint) => `Move ${joint} down`,
+    moved: (/** @type {string} */ joint, /** @type {number} */ place) => `${joint} is joint ${place} now.`,
+    remove: (/** @type {string} */ joint) => `Remove ${joint}`,
+    removed: (/** @type {string} */ joint) => `${joint} is removed, and its value in every recorded posture.`,
+    unitsHint: 'Converts the numbers; the robot stays.',
+    unit: (/** @type {string} */ name, /** @type {string} */ sign) =>
+      `${name[0].toUpperCase()}${name.slice(1)} (${sign})`,
+    converted: (/** @type {string} */ unit) => `The numbers are in ${unit} now; the robot is the same.`,
+    convention: 'Convention:',
+    conventionName: { standard: 'standard', modified: 'modified (Craig)' },
+    conventionDetail: {
+      standard: 'Frame i sits at the far end of link i.',
+      modified: 'Frame i sits on the axis of joint i.',
+    },
+    convert: (/** @type {string} */ name) => `Convert to ${name}`,
+    convertDetail: 'Same robot, other numbers. The arm does not move.',
+    convertedTo: (/** @type {string} */ name) =>
+      `Converted to ${name}: other numbers, the same robot. Base and tool took what the table has no row for.`,
+    reread: (/** @type {string} */ name) => `Read the numbers as ${name}`,
+    rereadDetail: (/** @type {string} */ distance) => `Same numbers, another robot. The tool jumps by ${distance}.`,
+    rereadAs: (/** @type {string} */ name, /** @type {string} */ distance) =>
+      `The numbers are read as ${name} now: another robot. The tool moved by ${distance}.`,
   },
 
   /** What a parameter is, by convention; i counts joints from 1. */

@@ -60,9 +60,7 @@ test('wrong calls throw in words and change nothing', async ({ page }) => {
   });
   expect(said.messages[0]).toBe('Expected 6 joint values, got 2.');
   expect(said.messages[1]).toContain('NaN');
-  expect(said.messages[2]).toContain(
-    'Expected one of puma560, ur5, scara_cobra600, planar2r or a robot file, got "r2d2"',
-  );
+  expect(said.messages[2]).toMatch(/^Expected one of planar2r, .*, ur5, .* or a robot file, got "r2d2"/);
   for (const message of said.messages) expect(message).not.toBe('no error');
   expect(said.joints).toEqual([0, 45, -180, 0, 45, 0]);
 });

@@ -143,21 +143,6 @@ test('without WebGL the table and the numbers work, and the view says why it is 
   }
 });
 
-test('an arm is chosen from the library by keys, and undo brings the other back', async ({ page }) => {
-  await open(page);
-  await page.getByRole('button', { name: /Puma 560/ }).focus();
-  await page.keyboard.press('Enter');
-  await page.keyboard.press('ArrowDown');
-  await page.keyboard.press('ArrowDown');
-  await page.keyboard.press('Enter');
-  await expect(page.getByRole('button', { name: /UR5/ })).toBeVisible();
-  await page.keyboard.press('Control+z');
-  await expect(page.getByRole('button', { name: /Puma 560/ })).toBeVisible();
-  await expect(page.getByRole('button', { name: /Puma 560/ })).toBeFocused();
-  await page.keyboard.press('Control+Shift+z');
-  await expect(page.getByRole('button', { name: /UR5/ })).toBeVisible();
-});
-
 test('nothing moves by itself: with a manual clock frames come when a test says so', async ({ page }) => {
   await page.goto('./?quality=low&theme=light&clock=manual');
   await page.waitForFunction(() => Boolean(window.denavit));

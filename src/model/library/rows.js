@@ -1,0 +1,41 @@
+/**
+ * How an arm of the library is written down: in millimetres and degrees, standard Denavit-Hartenberg, base and tool the
+ * identity.
+ *
+ * @import { JointDoc, JointType, RobotDoc } from '../document.js'
+ * @typedef {[theta: number, d: number, a: number, alpha: number, lower: number, upper: number, home: number]} Row
+ */
+import { identityPose } from '../document.js';
+
+/**
+ * @param {JointType} type
+ * @param {Row} row
+ * @returns {(index: number) => JointDoc}
+ */
+const joint =
+  (type, [theta, d, a, alpha, lower, upper, home]) =>
+  (index) => ({
+    id: `joint_${index + 1}`,
+    type,
+    ...{ theta, d, a, alpha, lower, upper, home },
+    link: { kind: 'auto' },
+    controller: { sign: 1, offset: 0, coupling: 0 },
+  });
+export const turn = (/** @type {Row} */ ...row) => joint('revolute', row);
+export const slide = (/** @type {Row} */ ...row) => joint('prismatic', row);
+
+/**
+ * @param {string} name
+ * @param {string | null} source  of its numbers
+ * @param {((index: number) => JointDoc)[]} joints
+ * @returns {RobotDoc}
+ */
+export const robot = (name, source, joints) => ({
+  name,
+  info: source === null ? {} : { source },
+  units: { length: 'mm', angle: 'deg' },
+  convention: 'standard',
+  base: identityPose(),
+  tool: identityPose(),
+  joints: joints.map((make, index) => make(index)),
+});

@@ -12,9 +12,10 @@ import { together } from '../model/views.js';
 import { editCell } from './cellEditor.js';
 import { createCellLine } from './cellLine.js';
 import { fill, h, spoken, symbol } from './dom.js';
-import { compact, jointIcon, plain, unitOf, unitSign } from './format.js';
-import { icon } from './icons.js';
+import { compact, plain, unitOf, unitSign } from './format.js';
+import { createJointMenu } from './jointMenu.js';
 import { readLimit, readNumber } from './numberText.js';
+import { createStructureControls } from './structureControls.js';
 import { TEXT } from './strings.js';
 
 /** @type {readonly { field: JointField, letter: string | null }[]} */
@@ -42,19 +43,16 @@ const variableOf = (joint) => (isSliding(joint) ? 'd' : 'theta');
 export function createDhTable(page, host) {
   const { store, addView } = page;
   const table = h('table', { class: 'grid', 'aria-label': TEXT.table.title });
-  const convention = h('span', { class: 'b' });
-  const order = h('span', { class: 'soft sm formula' });
+  const structure = createStructureControls(page);
   const cellLine = createCellLine(page);
   const source = h('p', { class: 'source soft sm' });
-  fill(
-    host,
-    h('div', { class: 'table-head' }, convention, order),
-    h('div', { class: 'grid-scroll' }, table),
-    cellLine.element,
-    source,
-  );
+  fill(host, structure.head, h('div', { class: 'grid-scroll' }, table), structure.foot, cellLine.element, source);
   /** @type {CellEditor[][]} one row for each joint */
   let cells = [];
+  /** @type {HTMLButtonElement[]} at the head of each row */
+  let menus = [];
+  /** @type {number | null} the row whose head is to have the focus when the grid stands again */
+  let goal = null;
 
   const jointAt = (/** @type {number} */ index) => store.state.doc.robot.joints[index];
   const show = (/** @type {number} */ joint, /** @type {JointField} */ field) => {
@@ -125,21 +123,14 @@ export function createDhTable(page, host) {
         h('span', { class: 'unit' }, unit === '°' ? 'deg' : unit),
       );
     });
+    const focused = menus.findIndex((button) => button === document.activeElement);
+    const heads = joints.map((_, row) => createJointMenu(page, row, { say: structure.say, goTo: (to) => (goal = to) }));
+    menus = heads.map(({ button }) => button);
     const rows = joints.map((joint, row) =>
       h(
         'tr',
         { 'data-row': row },
-        h(
-          'th',
-          { scope: 'row', class: 'start', title: TEXT.table.jointType[joint.type] },
-          h(
-            'span',
-            { class: 'joint-no' },
-            String(row + 1),
-            icon(jointIcon(joint)),
-            spoken(TEXT.table.jointType[joint.type]),
-          ),
-        ),
+        h('th', { scope: 'row', class: 'start' }, heads[row].element),
         COLUMNS.map(({ field, letter }, column) => {
           const isVariable = field === variableOf(joint);
           const ownUnit = !letter && !sameKind ? unitSign(unitOf(joint, units)) : null;
@@ -161,6 +152,8 @@ export function createDhTable(page, host) {
       h('thead', {}, h('tr', {}, h('th', { scope: 'col', class: 'start' }, TEXT.table.joint), head)),
       h('tbody', {}, rows),
     );
+    if (goal !== null || focused >= 0) menus[Math.min(goal ?? focused, menus.length - 1)].focus();
+    goal = null;
   }
 
   /** @param {HTMLInputElement} input @param {number} rows @param {number} columns @returns {boolean} whether there was a cell to go to */
@@ -223,8 +216,6 @@ export function createDhTable(page, host) {
       if (wanted !== shape) build(robot);
       shape = wanted;
       draw(robot);
-      convention.textContent = TEXT.table.conventionName[robot.convention];
-      order.textContent = TEXT.table.conventionOrder[robot.convention];
       fill(source, robot.info.source ? [h('b', {}, TEXT.table.source), ' ', robot.info.source] : null);
     },
   );

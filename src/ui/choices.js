@@ -1,0 +1,62 @@
+/**
+ * A menu of choices, made anew each time it opens: which one holds now, and why one cannot be taken.
+ *
+ * @typedef {object} Choice
+ * @property {string} title
+ * @property {string | null} [detail]
+ * @property {boolean} [isChosen]  it holds already
+ * @property {string | null} [against]  why it cannot be taken, in place of the detail
+ * @property {() => void} [run]
+ *
+ * @typedef {readonly Choice[]} Group
+ */
+import Dropdown from 'bootstrap/js/src/dropdown.js';
+import { fill, h } from './dom.js';
+import { icon } from './icons.js';
+
+/**
+ * @param {HTMLButtonElement} button
+ * @param {() => { head?: string, groups: readonly Group[] }} choices  asked when the menu opens
+ * @param {string} [className]
+ * @returns {HTMLElement} the button with its menu
+ */
+export function withChoices(button, choices, className = '') {
+  button.dataset.bsToggle = 'dropdown';
+  button.setAttribute('aria-expanded', 'false');
+  const list = h('ul', { class: 'dropdown-menu menu choices' });
+  const dropdown = h('div', { class: `dropdown ${className}`.trim() }, button, list); // Bootstrap looks for the list beside the button
+  button.addEventListener('show.bs.dropdown', () => {
+    const { head, groups } = choices();
+    fill(
+      list,
+      head && h('li', {}, h('p', { class: 'dropdown-header' }, head)),
+      groups.flatMap((group, i) => [
+        i > 0 && h('li', { 'aria-hidden': 'true' }, h('hr', { class: 'dropdown-divider' })),
+        ...group.map(item),
+      ]),
+    );
+  });
+  // What a choice does may take the focus; if nothing does, it goes back to where the menu was opened.
+  list.addEventListener('click', () => button.focus());
+  new Dropdown(button, { popperConfig: { strategy: 'fixed' } });
+  return dropdown;
+}
+
+/** @param {Choice} choice */
+function item({ title, detail, isChosen = false, against = null, run }) {
+  const small = against ?? detail;
+  const button = h(
+    'button',
+    {
+      type: 'button',
+      class: 'dropdown-item',
+      'aria-current': isChosen ? 'true' : null,
+      disabled: against !== null,
+    },
+    isChosen && icon('check'),
+    h('span', {}, title),
+    small && h('small', {}, small),
+  );
+  if (run && !isChosen) button.addEventListener('click', run);
+  return h('li', {}, button);
+}

@@ -1,0 +1,80 @@
+/**
+ * Which convention the table follows, and the two ways to the other one: convert it, or read the same numbers by it.
+ *
+ * @import { Page } from './page.js'
+ * @import { Convention, Doc } from '../model/document.js'
+ */
+import { applyCommand } from '../model/commands.js';
+import { createDerived } from '../model/derived.js';
+import { refusal } from '../model/refusals.js';
+import { fromKernel } from '../model/units.js';
+import { withChoices } from './choices.js';
+import { fill, h, spoken } from './dom.js';
+import { poseNumber, withUnit } from './format.js';
+import { icon } from './icons.js';
+import { attempt } from './page.js';
+import { TEXT } from './strings.js';
+
+/** @param {Convention} convention @returns {Convention} */
+const otherThan = (convention) => (convention === 'standard' ? 'modified' : 'standard');
+
+/**
+ * @param {Page} page
+ * @param {(text: string) => void} say
+ */
+export function createConventionMenu(page, say) {
+  const { store, addView } = page;
+  const derived = createDerived(); // of its own: what the page has derived stays remembered
+  const button = h('button', { type: 'button', class: 'btn btn-outline' });
+
+  /** How far the tool is from one document to the other, in words. @param {Doc} before @param {Doc} after */
+  function distance(before, after) {
+    const { units } = before.robot;
+    const [p, q] = [before, after].map((doc) => derived.tcp(doc).slice(12, 15));
+    const metres = Math.hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+    return withUnit(poseNumber(fromKernel('length', metres, units), units.length), units.length);
+  }
+
+  addView(
+    ({ doc }) => doc.robot.convention,
+    (convention) =>
+      fill(
+        button,
+        spoken(TEXT.structure.convention),
+        ' ',
+        TEXT.table.conventionName[convention],
+        icon('caret', 'caret'),
+      ),
+  );
+  return withChoices(button, () => {
+    const { doc } = store.state;
+    const { convention: now } = doc.robot;
+    const convention = otherThan(now);
+    const name = TEXT.structure.conventionName[convention];
+    const convert = /** @type {const} */ ({ type: 'convert-convention', convention });
+    const reread = /** @type {const} */ ({ type: 'reinterpret-convention', convention });
+    const moved = distance(doc, applyCommand(doc, reread));
+    return {
+      groups: [
+        [{ title: TEXT.table.conventionName[now], detail: TEXT.structure.conventionDetail[now], isChosen: true }],
+        [
+          {
+            title: TEXT.structure.convert(name),
+            detail: TEXT.structure.convertDetail,
+            against: refusal(doc, convert)?.message ?? null,
+            run() {
+              if (attempt(page, convert) === null) say(TEXT.structure.convertedTo(name));
+            },
+          },
+          {
+            title: TEXT.structure.reread(name),
+            detail: TEXT.structure.rereadDetail(moved),
+            run() {
+              if (attempt(page, reread) === null) say(TEXT.structure.rereadAs(name, moved));
+            },
+          },
+        ],
+      ],
+    };
+  });
+}

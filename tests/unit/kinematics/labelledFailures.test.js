@@ -89,6 +89,14 @@ test.each(/** @type {const} */ (['out-of-reach', 'orientation', 'limits', 'task'
   },
 );
 
+test('a place that is missed by three tolerances is not called met, however freely the tool may turn there', () => {
+  for (const { name, goal, numbers } of sampleOf('out-of-reach')) {
+    const options = { positionTolerance: numbers[1] / 3, orientationTolerance: 3.2, restarts: 20 };
+    const result = inverseKinematics(createChain(publishedArm(name)), columnMajor(goal), options);
+    expect(['converged', 'subspace']).not.toContain(result.status);
+  }
+});
+
 describe('with the right numbers', () => {
   test('by how much a place is out of reach: no less than without limits, no more than inside them', () => {
     const answers = sampleOf('out-of-reach').map(answered);

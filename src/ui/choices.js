@@ -17,10 +17,12 @@ import { icon } from './icons.js';
 /**
  * @param {HTMLButtonElement} button
  * @param {() => { head?: string, groups: readonly Group[] }} choices  asked when the menu opens
- * @param {string} [className]
+ * @param {object} [look]
+ * @param {string} [look.className]
+ * @param {number} [look.inset]  how far the menu begins to the right of the button, px
  * @returns {HTMLElement} the button with its menu
  */
-export function withChoices(button, choices, className = '') {
+export function withChoices(button, choices, { className = '', inset = 0 } = {}) {
   button.dataset.bsToggle = 'dropdown';
   button.setAttribute('aria-expanded', 'false');
   const list = h('ul', { class: 'dropdown-menu menu choices' });
@@ -38,7 +40,7 @@ export function withChoices(button, choices, className = '') {
   });
   // What a choice does may take the focus; if nothing does, it goes back to where the menu was opened.
   list.addEventListener('click', () => button.focus());
-  new Dropdown(button, { popperConfig: { strategy: 'fixed' } });
+  new Dropdown(button, { offset: [inset, 2], popperConfig: { strategy: 'fixed' } });
   return dropdown;
 }
 

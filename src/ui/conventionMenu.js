@@ -63,7 +63,13 @@ export function createConventionMenu(page, say) {
             detail: TEXT.structure.convertDetail,
             against: refusal(doc, convert)?.message ?? null,
             run() {
-              if (attempt(page, convert) === null) say(TEXT.structure.convertedTo(name));
+              if (attempt(page, convert) !== null) return;
+              const { base, tool } = store.state.doc.robot;
+              const changed = [
+                base !== doc.robot.base && TEXT.structure.baseChanged,
+                tool !== doc.robot.tool && TEXT.structure.toolChanged,
+              ];
+              say([TEXT.structure.convertedTo(name), ...changed].filter(Boolean).join(' '));
             },
           },
           {

@@ -77,7 +77,7 @@ export function createJointMenu(page, row, { say, goTo }) {
     icon('dots', 'dots'),
     spoken(words.menuOf(row + 1, TEXT.table.jointType[current().type])),
   );
-  const element = withChoices(button, () => {
+  const choices = () => {
     const last = store.state.doc.robot.joints.length - 1;
     return {
       groups: [
@@ -95,6 +95,7 @@ export function createJointMenu(page, row, { say, goTo }) {
         [act(words.remove(name), { type: 'remove-joint', joint: row }, Math.min(row, last - 1), words.removed(name))],
       ],
     };
-  });
+  };
+  const element = withChoices(button, choices, { inset: 8 }); // the row begins at the edge of the screen
   return { element, button };
 }

@@ -139,7 +139,9 @@ export const TEXT = {
     convert: (/** @type {string} */ name) => `Convert to ${name}`,
     convertDetail: 'Same robot, other numbers. The arm does not move.',
     convertedTo: (/** @type {string} */ name) =>
-      `Converted to ${name}: other numbers, the same robot. Base and tool took what the table has no row for.`,
+      `Converted to ${name}: other numbers, the same robot; the arm has not moved.`,
+    baseChanged: 'The base changed with the table.',
+    toolChanged: 'The tool changed with the table.',
     reread: (/** @type {string} */ name) => `Read the numbers as ${name}`,
     rereadDetail: (/** @type {string} */ distance) => `Same numbers, another robot. The tool jumps by ${distance}.`,
     rereadAs: (/** @type {string} */ name, /** @type {string} */ distance) =>

@@ -19,7 +19,7 @@ const ANGLES = ['deg', 'rad'];
 
 /**
  * @param {Page} page
- * @param {string} [className]
+ * @param {string} className
  */
 export function createUnitsMenu(page, className) {
   const { store, addView, announce } = page;
@@ -56,6 +56,6 @@ export function createUnitsMenu(page, className) {
         ],
       };
     },
-    className,
+    { className },
   );
 }

@@ -37,6 +37,9 @@ const NEARLY_INSIDE = 1e-2;
 /** What a task leaves free is pursued with this weight first, and then let go while the task itself is met exactly. */
 const SPARE = 0.03;
 
+/** Of two postures equally near, which symmetric arms have, the first found is kept: rounding is not to choose. */
+const BETTER = 1 - 1e-6;
+
 /** How many times the iterations of another descent the last one may take, which goes to the very bottom. */
 const SETTLING = 10;
 
@@ -90,7 +93,7 @@ function tryPose(hunt) {
   const { search } = hunt;
   const end = descend(search);
   if (end === 'cut') hunt.wasCut = true;
-  if (search.cost < hunt.bestCost) {
+  if (search.cost < hunt.bestCost * BETTER) {
     hunt.bestCost = search.cost;
     hunt.best.set(search.q);
   }

@@ -135,9 +135,10 @@ export function inverseKinematics(chain, T_base_goal, options = {}) {
   function nearest(reason) {
     settle(hunt);
     const { isPose, result } = judge(hunt.best, 'pose');
-    return isPose
-      ? { status: 'converged', ...result }
-      : { status: hunt.wasCut ? 'budget' : 'stalled', ...result, ...reason };
+    if (isPose) return { status: 'converged', ...result };
+    const { shortBy } = reason; // the posture for the whole pose may happen to come nearer to the place than any other found
+    const nearer = shortBy !== undefined && { shortBy: Math.min(shortBy, result.positionError) };
+    return { status: hunt.wasCut ? 'budget' : 'stalled', ...result, ...reason, ...nearer };
   }
 
   /** Whether no posture can have the orientation, limits or not. @param {TaskName} task */
@@ -200,7 +201,7 @@ export function inverseKinematics(chain, T_base_goal, options = {}) {
     seekInside(hunt, 'pose', Math.min(restarts, NEAREST_RESTARTS));
     const outside = chain.joints.some(({ type }) => type === 'prismatic') ? longerSlide() : null;
     if (outside) return outside;
-    const shortBy = Math.max(beyond, seekPlace(hunt, 0));
+    const shortBy = Math.max(beyond, seekPlace(hunt, Math.min(restarts, PLACE_RESTARTS)));
     return nearest({ status: 'unreachable', reason: 'distance', shortBy, beyondReach: beyond });
   }
 

@@ -1,22 +1,64 @@
 /**
- * Factors of each size, used again and again: nothing here calls back.
+ * Symmetric positive definite systems by Cholesky's factorisation without its square roots, L D Lᵀ (Golub & Van Loan, section
+ * 4.1). The factors of the last system are kept, for another right side.
+ */
+
+/**
+ * Factors of each size: below the diagonal L, on it 1 / D, above it L D turned over. Nothing here calls back.
  * @type {Float64Array[]}
  */
 const factors = [];
 
+/** Those of size 6: L row by row, then 1 / D. */
+const six = new Float64Array(21);
+
 /**
- * Solve (H + damping) x = g for a symmetric positive definite H by Cholesky's factorisation without its square roots, L D Lᵀ
- * (Golub & Van Loan, section 4.1).
+ * Solve (H + damping) x = g.
  * @param {Float64Array} H  n · n, row by row; only the lower triangle is read
  * @param {Float64Array} g  n
- * @param {Float64Array} x  n, filled
+ * @param {Float64Array} x  n, filled; may be g
  * @param {number} [damping]  added to the diagonal
  * @returns {boolean} false if the sum is not positive definite
  */
 export function solveCholesky(H, g, x, damping = 0) {
   const n = g.length;
-  if (n === 6) return solveSix(H, g, x, damping);
-  const L = (factors[n] ??= new Float64Array(n * n)); // below the diagonal L, on it 1 / D, above it L D turned over
+  const isDefinite = n === 6 ? factoriseSix(H, damping) : factorise(H, n, damping);
+  if (isDefinite) solveAgain(g, x);
+  return isDefinite;
+}
+
+/**
+ * Another right side for the system of this size that was solved last.
+ * @param {Float64Array} g  n
+ * @param {Float64Array} x  n, filled; may be g
+ */
+export function solveAgain(g, x) {
+  const n = g.length;
+  if (n === 6) {
+    substituteSix(g, x);
+    return;
+  }
+  const L = factors[n];
+  for (let i = 0; i < n; i++) {
+    let sum = g[i];
+    for (let k = 0; k < i; k++) sum -= L[i * n + k] * x[k];
+    x[i] = sum;
+  }
+  for (let i = n - 1; i >= 0; i--) {
+    let sum = x[i] * L[i * n + i];
+    for (let k = i + 1; k < n; k++) sum -= L[k * n + i] * x[k];
+    x[i] = sum;
+  }
+}
+
+/**
+ * @param {Float64Array} H
+ * @param {number} n
+ * @param {number} damping
+ * @returns {boolean}
+ */
+function factorise(H, n, damping) {
+  const L = (factors[n] ??= new Float64Array(n * n));
   for (let j = 0; j < n; j++) {
     let pivot = H[j * n + j] + damping;
     for (let k = 0; k < j; k++) pivot -= L[j * n + k] * L[k * n + j];
@@ -30,16 +72,6 @@ export function solveCholesky(H, g, x, damping = 0) {
       L[i * n + j] = below * inverse;
     }
   }
-  for (let i = 0; i < n; i++) {
-    let sum = g[i];
-    for (let k = 0; k < i; k++) sum -= L[i * n + k] * x[k];
-    x[i] = sum;
-  }
-  for (let i = n - 1; i >= 0; i--) {
-    let sum = x[i] * L[i * n + i];
-    for (let k = i + 1; k < n; k++) sum -= L[k * n + i] * x[k];
-    x[i] = sum;
-  }
   return true;
 }
 
@@ -47,12 +79,10 @@ export function solveCholesky(H, g, x, damping = 0) {
  * The same for six unknowns, written out: most arms have six joints, and loops take three times as long. d is D, e its
  * inverse, c the column below before it is divided.
  * @param {Float64Array} H
- * @param {Float64Array} g
- * @param {Float64Array} x
  * @param {number} damping
  * @returns {boolean}
  */
-function solveSix(H, g, x, damping) {
+function factoriseSix(H, damping) {
   const d0 = H[0] + damping;
   if (!(d0 > 0)) return false;
   const e0 = 1 / d0;
@@ -101,6 +131,56 @@ function solveSix(H, g, x, damping) {
   const d5 = H[35] + damping - c50 * l50 - c51 * l51 - c52 * l52 - c53 * l53 - c54 * l54;
   if (!(d5 > 0)) return false;
   const e5 = 1 / d5;
+  six[0] = l10;
+  six[1] = l20;
+  six[2] = l21;
+  six[3] = l30;
+  six[4] = l31;
+  six[5] = l32;
+  six[6] = l40;
+  six[7] = l41;
+  six[8] = l42;
+  six[9] = l43;
+  six[10] = l50;
+  six[11] = l51;
+  six[12] = l52;
+  six[13] = l53;
+  six[14] = l54;
+  six[15] = e0;
+  six[16] = e1;
+  six[17] = e2;
+  six[18] = e3;
+  six[19] = e4;
+  six[20] = e5;
+  return true;
+}
+
+/**
+ * @param {Float64Array} g
+ * @param {Float64Array} x
+ */
+function substituteSix(g, x) {
+  const l10 = six[0];
+  const l20 = six[1];
+  const l21 = six[2];
+  const l30 = six[3];
+  const l31 = six[4];
+  const l32 = six[5];
+  const l40 = six[6];
+  const l41 = six[7];
+  const l42 = six[8];
+  const l43 = six[9];
+  const l50 = six[10];
+  const l51 = six[11];
+  const l52 = six[12];
+  const l53 = six[13];
+  const l54 = six[14];
+  const e0 = six[15];
+  const e1 = six[16];
+  const e2 = six[17];
+  const e3 = six[18];
+  const e4 = six[19];
+  const e5 = six[20];
   const y0 = g[0];
   const y1 = g[1] - l10 * y0;
   const y2 = g[2] - l20 * y0 - l21 * y1;
@@ -119,5 +199,4 @@ function solveSix(H, g, x, damping) {
   x[3] = x3;
   x[4] = x4;
   x[5] = x5;
-  return true;
 }

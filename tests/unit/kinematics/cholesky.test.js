@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { expect, test } from 'vitest';
-import { solveCholesky } from '../../../src/kinematics/cholesky.js';
+import { solveAgain, solveCholesky } from '../../../src/kinematics/cholesky.js';
 import { SEED, runs } from '../../helpers/property.js';
 
 const anySystem = fc.integer({ min: 1, max: 8 }).chain((n) =>
@@ -43,6 +43,24 @@ test('damping is added to the diagonal, and the system stays as it was, for the 
       expect(solveCholesky(H, g, found, damping)).toBe(true);
       found.forEach((value, i) => expect(Math.abs(value - x[i])).toBeLessThan(1e-12));
       expect(H).toEqual(kept);
+    }),
+    { seed: SEED, numRuns: runs(100) },
+  );
+});
+
+test('another right side is solved by what is left of the last system of its size, in place too', () => {
+  fc.assert(
+    fc.property(anySystem, ({ n, entries, x }) => {
+      const H = definite(n, entries);
+      solveCholesky(H, new Float64Array(n), new Float64Array(n));
+      const m = n === 6 ? 5 : 6;
+      solveCholesky(definite(m, Array(m * m).fill(0)), new Float64Array(m), new Float64Array(m)); // of no matter
+      const g = Float64Array.from({ length: n }, (_, i) => x.reduce((sum, value, j) => sum + H[i * n + j] * value, 0));
+      const found = new Float64Array(n);
+      solveAgain(g, found);
+      solveAgain(g, g);
+      found.forEach((value, i) => expect(Math.abs(value - x[i])).toBeLessThan(1e-12));
+      expect(g).toEqual(found);
     }),
     { seed: SEED, numRuns: runs(100) },
   );

@@ -9,6 +9,7 @@ import {
   arm,
   columnMajor,
   distanceBetween,
+  forwardCases,
   fromLine,
   inverseCases,
   oracleForward,
@@ -76,6 +77,19 @@ describe('one descent', () => {
         expect(Math.abs(search.cost - costAt(bare, search.q, goal))).toBeLessThan(1e-12);
       }
     }
+  });
+  test('from nearby takes two or three iterations, since a step follows its bend', () => {
+    let iterations = 0;
+    const postures = forwardCases.puma560.q;
+    for (const q of postures) {
+      const goal = columnMajor(oracleForward(bare, q).tcp);
+      const search = prepareSearch(puma, goal, { ...OPTIONS, positionTolerance: 1e-6, orientationTolerance: 1e-6 });
+      search.isBounded = false;
+      q.forEach((value, i) => (search.q[i] = value + (i % 2 ? 0.08 : -0.06)));
+      descend(search);
+      iterations += search.iterations;
+    }
+    expect(iterations / postures.length).toBeLessThan(2.5); // 3.1 on straight steps
   });
   test('that cannot even be measured stays where it began', () => {
     const near = columnMajor(fromLine(inverseCases.puma560.reachable[0]));

@@ -68,6 +68,17 @@ export function factorise(A) {
 }
 
 /**
+ * How many pivots of the matrix factorised last are more than this share of the first.
+ * @param {Float64Array} LU
+ * @param {number} share
+ */
+export function rankOf(LU, share) {
+  let rank = 0;
+  while (rank < N && Math.abs(LU[(N + 1) * rank]) > share * Math.abs(LU[0])) rank++;
+  return rank;
+}
+
+/**
  * x with A x = b, for the matrix factorised last, and of full rank.
  * @param {Float64Array} LU
  * @param {Float64Array} b

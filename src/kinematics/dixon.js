@@ -119,17 +119,23 @@ export function writeDixonMatrix(M, D) {
 }
 
 /**
- * The determinant of such a matrix, by elimination with partial pivoting.
+ * The determinant of such a matrix, by elimination with partial pivoting, and what it would be if the smallest pivot were
+ * as large as the largest entry: rounding in the entries moves it by some 1e-16 of that.
  * @param {Float64Array} A  6 × 6, overwritten
- * @returns {number}
+ * @param {Float64Array} out  2 numbers
  */
-export function determinant(A) {
+export function writeDeterminant(A, out) {
   let product = 1;
+  let smallest = Infinity;
+  let largest = 0;
+  for (let i = 0; i < SIZE * SIZE; i++) if (Math.abs(A[i]) > largest) largest = Math.abs(A[i]);
   for (let k = 0; k < SIZE; k++) {
     let row = k;
     for (let i = k + 1; i < SIZE; i++) if (Math.abs(A[SIZE * i + k]) > Math.abs(A[SIZE * row + k])) row = i;
     const pivot = A[SIZE * row + k];
-    if (pivot === 0) return 0;
+    product *= pivot;
+    if (pivot === 0) break;
+    smallest = Math.min(smallest, Math.abs(pivot));
     if (row !== k) {
       for (let j = k; j < SIZE; j++) {
         const other = A[SIZE * row + j];
@@ -138,11 +144,11 @@ export function determinant(A) {
       }
       product = -product;
     }
-    product *= pivot;
     for (let i = k + 1; i < SIZE; i++) {
       const factor = A[SIZE * i + k] / pivot;
       for (let j = k + 1; j < SIZE; j++) A[SIZE * i + j] -= factor * A[SIZE * k + j];
     }
   }
-  return product;
+  out[0] = product;
+  out[1] = (Math.abs(product) / smallest) * largest;
 }

@@ -36,7 +36,7 @@
 import { writeAnnihilator } from './annihilator.js';
 import { fitCircle, sampleAngle, SAMPLES } from './circleFit.js';
 import { COUNT } from './circleRoots.js';
-import { COEFFICIENTS, determinant, EQUATIONS, SIZE, writeDixonMatrix } from './dixon.js';
+import { COEFFICIENTS, EQUATIONS, SIZE, writeDeterminant, writeDixonMatrix } from './dixon.js';
 import { conjugate, DQ, multiply, turn } from './dualQuaternion.js';
 
 const ENTRIES = SIZE * SIZE;
@@ -46,11 +46,15 @@ const FORMS = EQUATIONS * DQ;
 const KNOTS = 5;
 
 /**
- * So many times the mean misfit is surely above the noise. With constant weights the highest harmonics, which make the
- * misfit, have less than their share of it: at 12,000 solutions of 16 arms the polynomial was off from zero by up to 180 times
- * the misfit, and, with weights, by up to 1.2 times.
+ * What the noise in the values is surely below: so many times the mean misfit, and this share of what rounding could do at most,
+ * which counts where D is singular throughout and all values are noise, even if it fits. With constant weights the highest
+ * harmonics, which make the misfit, have less than their share of noise: at 12,000 solutions of 16 arms the polynomial was
+ * off from zero by up to 180 times the misfit or 6e-15, and, with weights, by up to 1.2 times or 4e-14.
  */
-const SAFETY = { even: 1000, weighted: 50 };
+const DOUBT = { even: { misfit: 1000, pivot: 2e-14 }, weighted: { misfit: 50, pivot: 2e-15 } };
+
+/** Minors smaller than this, beside what they could be, are rounding. */
+const CANCELLED = 1e-12;
 
 /** Of the largest coefficient: rounding in what comes after. */
 const ROUNDING = 2e-15;
@@ -145,6 +149,7 @@ const M = new Float64Array(EQUATIONS * COEFFICIENTS);
 const D = new Float64Array(ENTRIES);
 const inverseGoal = new Float64Array(DQ);
 const values = new Float64Array(SAMPLES);
+const pair = new Float64Array(2);
 const coefficients = new Float64Array(COUNT);
 const held = new Float64Array(DQ);
 const factor = new Float64Array(DQ);
@@ -206,9 +211,15 @@ const SHARES = Float64Array.from({ length: KNOTS * KNOTS }, (_, i) => {
   return k === 0 ? 1 / KNOTS : ((k % 2 ? Math.cos(angle) : Math.sin(angle)) * 2) / KNOTS;
 });
 
-/** @param {Elimination} elimination @param {Float64Array} lines */
+/**
+ * Dixon's matrix, its largest entry scaled to 1.
+ * @param {Elimination} elimination
+ * @param {Float64Array} lines
+ * @returns {boolean} false if there is nothing but rounding in it
+ */
 function writeHarmonics(elimination, lines) {
   const { order, forms } = elimination;
+  let most = 0;
   harmonics.fill(0);
   for (let knot = 0; knot < KNOTS; knot++) {
     const from = order === 'between' ? FORMS * knot : 0;
@@ -222,12 +233,29 @@ function writeHarmonics(elimination, lines) {
         M[COEFFICIENTS * row + m] = sum;
       }
     }
+    most = Math.max(most, mostMinor());
     writeDixonMatrix(M, D);
     for (let k = 0; k < KNOTS; k++) {
       const share = SHARES[KNOTS * knot + k];
       for (let i = 0; i < ENTRIES; i++) harmonics[ENTRIES * k + i] += share * D[i];
     }
   }
+  let largest = 0;
+  for (let i = 0; i < harmonics.length; i++) largest = Math.max(largest, Math.abs(harmonics[i]));
+  if (!(largest > CANCELLED * most)) return false;
+  for (let i = 0; i < harmonics.length; i++) harmonics[i] /= largest;
+  return true;
+}
+
+/** No minor of M is larger: the product of the lengths of its rows. */
+function mostMinor() {
+  let product = 1;
+  for (let row = 0; row < M.length; row += COEFFICIENTS) {
+    let square = 0;
+    for (let m = 0; m < COEFFICIENTS; m++) square += M[row + m] * M[row + m];
+    product *= square;
+  }
+  return Math.sqrt(product);
 }
 
 /**
@@ -296,10 +324,13 @@ export function eliminate(elimination, lines, goal) {
   conjugate(goal, 0, inverseGoal, 0);
   if (isCut) writeForms(lines, joints, goal, forms);
   writeProducts(elimination, lines);
-  writeHarmonics(elimination, lines);
+  if (!writeHarmonics(elimination, lines)) return { coefficients, noise: 0, size: 0 };
+  let scale = 0;
   for (let k = 0; k < SAMPLES; k++) {
     writeMatrixAt(sampleAngle(k), D);
-    values[k] = determinant(D);
+    writeDeterminant(D, pair);
+    values[k] = pair[0];
+    scale += pair[1] * pair[1];
   }
   let size = 0;
   for (let j = 0; j < COUNT; j++) {
@@ -310,12 +341,12 @@ export function eliminate(elimination, lines, goal) {
   }
   let squares = 0;
   for (let k = 0; k < SAMPLES; k++) {
-    let misfit = values[k];
-    for (let j = 0; j < COUNT; j++) misfit -= fit.design[COUNT * k + j] * coefficients[j];
-    squares += misfit * misfit;
+    let over = values[k];
+    for (let j = 0; j < COUNT; j++) over -= fit.design[COUNT * k + j] * coefficients[j];
+    squares += over * over;
   }
-  const noise =
-    SAFETY[order === 'between' ? 'weighted' : 'even'] * fit.spread * Math.sqrt(squares / (SAMPLES - COUNT)) +
-    ROUNDING * size;
+  const { misfit, pivot } = DOUBT[order === 'between' ? 'weighted' : 'even'];
+  const doubt = misfit * Math.sqrt(squares / (SAMPLES - COUNT)) + pivot * Math.sqrt(scale / SAMPLES);
+  const noise = fit.spread * doubt + ROUNDING * size;
   return { coefficients, noise, size };
 }

@@ -8,7 +8,7 @@
  * @property {readonly boolean[]} slides
  * @property {Float64Array} goal    8
  */
-import { factorise, nullVector, solveFactorised } from './completePivoting.js';
+import { factorise, nullVector, rankOf, solveFactorised } from './completePivoting.js';
 import { solveCholesky } from './cholesky.js';
 import { conjugate, DQ, multiply } from './dualQuaternion.js';
 
@@ -111,7 +111,7 @@ export function closeLoop(loop, q, most, grain = GRAIN) {
 export function freeDirection(loop, q, direction) {
   measure(loop, q);
   const ratio = factorise(jacobian);
-  nullVector(jacobian, 5, 5, direction);
+  nullVector(jacobian, Math.min(JOINTS - 1, rankOf(jacobian, SMALLEST_PIVOT)), JOINTS - 1, direction);
   const most = direction.reduce((largest, value) => Math.max(largest, Math.abs(value)), 0);
   for (let i = 0; i < JOINTS; i++) direction[i] /= most;
   return ratio;

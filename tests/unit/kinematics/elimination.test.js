@@ -3,8 +3,8 @@ import { writeAnnihilator } from '../../../src/kinematics/annihilator.js';
 import { posturesAt } from '../../../src/kinematics/backSubstitution.js';
 import { fitCircle, SAMPLES, sampleAngle } from '../../../src/kinematics/circleFit.js';
 import { evaluate } from '../../../src/kinematics/circleRoots.js';
-import { factorise, nullVector, solveFactorised } from '../../../src/kinematics/completePivoting.js';
-import { determinant, writeDixonMatrix } from '../../../src/kinematics/dixon.js';
+import { factorise, nullVector, rankOf, solveFactorised } from '../../../src/kinematics/completePivoting.js';
+import { writeDeterminant, writeDixonMatrix } from '../../../src/kinematics/dixon.js';
 import { linesOf, loopProduct, multiply, writeGoalMotion } from '../../../src/kinematics/dualQuaternion.js';
 import { eliminate, prepareElimination } from '../../../src/kinematics/elimination.js';
 import { closeLoop, gapAt } from '../../../src/kinematics/loopClosure.js';
@@ -71,12 +71,16 @@ describe("Dixon's matrix", () => {
   test('its determinant', () => {
     const A = many(36);
     const rows = [0, 1, 2, 3, 4, 5].map((i) => [...A.subarray(6 * i, 6 * i + 6)]);
-    expect(determinant(A.slice())).toBeCloseTo(determinantOf(rows), 12);
-    A.set([0, 0, 0], 0);
-    A.set([0, 0, 0], 6);
-    A.set([0, 0, 0], 12);
-    A.set([0, 0, 0], 18);
-    expect(Math.abs(determinant(A))).toBeLessThan(1e-16);
+    const out = new Float64Array(2);
+    writeDeterminant(A.slice(), out);
+    expect(out[0]).toBeCloseTo(determinantOf(rows), 12);
+    A.set([...rows[0], ...rows[1], ...rows[2], ...rows[3], ...rows[4]]);
+    for (let j = 0; j < 6; j++) A[30 + j] = rows[0][j] + rows[3][j] / 3;
+    writeDeterminant(A.slice(), out);
+    expect(Math.abs(out[0])).toBeLessThan(1e-13 * out[1]);
+    for (let k = 0; k < 36; k += 6) A.set([0, 0, 0], k); // rank 3
+    writeDeterminant(A, out);
+    expect([...out].map(Math.abs)).toEqual([0, 0]);
   });
 });
 
@@ -95,6 +99,7 @@ test('elimination with complete pivoting solves, and tells the rank', () => {
   }
   const twice = A.slice();
   expect(factorise(twice)).toBeLessThan(1e-14);
+  expect(rankOf(twice, 1e-13)).toBe(4);
   for (const free of [4, 5]) {
     nullVector(twice, 4, free, x);
     expect(Math.max(...x.map(Math.abs))).toBeGreaterThan(0.99);

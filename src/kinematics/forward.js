@@ -91,12 +91,13 @@ function writeTcpPose({ start, rows, lower, tool, hasTool }, turns, out) {
  * @param {Pose} [out]
  * @returns {Pose} T_base_tcp: the chain's base and tool are in it
  */
-export function tcpPose(chain, q, out = new Float64Array(16)) {
-  requirePosture(chain.dof, q);
+export function tcpPose({ packed }, q, out = new Float64Array(16)) {
+  const dof = packed.lower.length; // a chain has getters, and looking anything up in it takes time
+  requirePosture(dof, q);
   requireRoom(out, 16);
-  const turns = (turnsFor[chain.dof] ??= new Float64Array(3 * chain.dof));
-  writeTurns(chain.packed, q, turns);
-  return writeTcpPose(chain.packed, turns, out);
+  const turns = (turnsFor[dof] ??= new Float64Array(3 * dof));
+  writeTurns(packed, q, turns);
+  return writeTcpPose(packed, turns, out);
 }
 
 /**
@@ -107,7 +108,8 @@ export function tcpPose(chain, q, out = new Float64Array(16)) {
  * @param {Float64Array} [out]
  * @returns {Float64Array} 16 · (n + 1) numbers: frame 0 (the base), frame 1, … frame n (the flange; no tool)
  */
-export function linkFrames({ dof, packed }, q, out = new Float64Array(16 * (dof + 1))) {
+export function linkFrames({ packed }, q, out = new Float64Array(16 * (packed.lower.length + 1))) {
+  const dof = packed.lower.length;
   requirePosture(dof, q);
   requireRoom(out, 16 * (dof + 1));
   const turns = (turnsFor[dof] ??= new Float64Array(3 * dof));

@@ -43,21 +43,22 @@ const roomFor = (/** @type {number} */ dof) =>
  * @param {Float64Array} [options.out]
  * @returns {Float64Array} 6 · n
  */
-export function finiteDifferenceJacobian(chain, q, options = {}) {
-  const { method = 'forward', out: J = new Float64Array(6 * chain.dof) } = options;
+export function finiteDifferenceJacobian({ packed }, q, options = {}) {
+  const dof = packed.lower.length; // as in forward.js
+  const { method = 'forward', out: J = new Float64Array(6 * dof) } = options;
   if (method !== 'forward' && method !== 'central') {
     throw new RangeError(`Expected the method to be 'forward' or 'central', got '${method}'.`);
   }
   const { step = DEFAULT_STEP[method] } = options;
   if (!(step > 0 && step < Infinity)) throw new RangeError(`Expected a positive step, got ${step}.`);
-  requirePosture(chain.dof, q);
-  requireRoom(J, 6 * chain.dof);
-  const { work, backward } = roomFor(chain.dof);
-  writeWork(chain.packed, q, work);
-  writeDifferences(chain.packed, work, createStep(step), J);
+  requirePosture(dof, q);
+  requireRoom(J, 6 * dof);
+  const { work, backward } = roomFor(dof);
+  writeWork(packed, q, work);
+  writeDifferences(packed, work, createStep(step), J);
   if (method === 'central') {
     // The mean of both quotients is the central one.
-    writeDifferences(chain.packed, work, createStep(-step), backward);
+    writeDifferences(packed, work, createStep(-step), backward);
     for (let i = 0; i < J.length; i++) J[i] = (J[i] + backward[i]) / 2;
   }
   return J;

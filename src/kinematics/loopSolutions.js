@@ -38,8 +38,8 @@ const RETRIES = 2;
 const STEPS = 12;
 const STEPS_BESIDE = 40;
 
-/** Where to start beside a nearly double solution, along the singular direction: near it and not so near. */
-const BESIDE = [1, -1, 30, -30];
+/** Where to start beside a nearly double solution, along the singular direction: near it and ever less near. */
+const BESIDE = [1, -1, 30, -30, 1000, -1000];
 const NEAR = 1e-5;
 
 /** The last pivot over the first: a posture below this may be a double solution, or has another one beside it. */
@@ -161,9 +161,11 @@ function mergeSame(loop, found) {
  * @param {Float64Array[]} found
  */
 function addBeside(loop, q, way, found) {
+  const { length } = found;
   for (const share of BESIDE) {
     const start = q.map((value, i) => value + share * way * direction[i]);
     addFrom(loop, start, STEPS_BESIDE, found, 0);
+    if (found.length > length) return;
   }
 }
 

@@ -9,6 +9,7 @@
  *
  * @typedef {object} HuntOptions
  * @property {Float64Array} seed   inside the limits
+ * @property {Float64Array} best   room for as many values
  * @property {number} randomSeed
  * @property {number} positionTolerance
  * @property {number} orientationTolerance
@@ -18,8 +19,9 @@
  * @property {Chain} chain
  * @property {Search} search
  * @property {Float64Array} seed
- * @property {() => number} random
- * @property {number} travel   how far from zero an unlimited slide is looked for, m
+ * @property {ArrayLike<number>} goal
+ * @property {number} randomSeed
+ * @property {(() => number) | null} random   made at the first start from anywhere: most searches need none
  * @property {number} restarts   how often a search has started anew, so far
  * @property {Float64Array} best   of all postures inside the limits, the nearest to the whole pose
  * @property {number} bestCost
@@ -50,19 +52,41 @@ const SETTLING = 10;
  * @returns {Hunt}
  */
 export function createHunt(chain, T_base_goal, options) {
-  const { seed, randomSeed } = options;
+  const { seed, best, randomSeed } = options;
   const search = prepareSearch(chain, T_base_goal, options);
+  copy(seed, best);
   return {
     chain,
+    goal: T_base_goal,
     search,
     seed,
-    random: createRandom(randomSeed),
-    travel: distanceFromShoulder(chain, T_base_goal) + 2 * chain.characteristicLength,
+    randomSeed,
+    random: null,
     restarts: 0,
-    best: Float64Array.from(seed),
+    best,
     bestCost: Infinity,
     wasCut: false,
   };
+}
+
+/** The method of typed arrays takes longer for so few. @param {Float64Array} from @param {Float64Array} to */
+function copy(from, to) {
+  for (let i = 0; i < to.length; i++) to[i] = from[i];
+}
+
+/** A posture from anywhere, into search.q. @param {Hunt} hunt */
+function startAnywhere(hunt) {
+  const { chain, goal, search } = hunt;
+  const random = (hunt.random ??= createRandom(hunt.randomSeed));
+  // so far from zero an unlimited slide is looked for, m
+  const travel = distanceFromShoulder(chain, goal) + 2 * chain.characteristicLength;
+  fillRandomPosture(search.packed, random, travel, search.q);
+}
+
+/** The first descent of all: from the seed to the whole pose, inside the limits. @param {Hunt} hunt */
+export function tryFirst(hunt) {
+  copy(hunt.seed, hunt.search.q);
+  return tryPose(hunt);
 }
 
 /**
@@ -73,7 +97,7 @@ export function createHunt(chain, T_base_goal, options) {
  * @param {() => boolean} tryFromHere  descends from search.q; true ends the search
  */
 function seek(hunt, task, from, restarts, tryFromHere) {
-  const { search, seed, random, travel } = hunt;
+  const { search, seed } = hunt;
   search.task = task;
   if (task !== 'pose') search.up = uprightOf(hunt.chain);
   for (let k = from; k <= restarts; k++) {
@@ -81,7 +105,7 @@ function seek(hunt, task, from, restarts, tryFromHere) {
       search.q.set(seed);
     } else {
       hunt.restarts++;
-      fillRandomPosture(search.packed, random, travel, search.q);
+      startAnywhere(hunt);
     }
     if (tryFromHere()) return true;
   }
@@ -95,7 +119,7 @@ function tryPose(hunt) {
   if (end === 'cut') hunt.wasCut = true;
   if (search.cost < hunt.bestCost * BETTER) {
     hunt.bestCost = search.cost;
-    hunt.best.set(search.q);
+    copy(search.q, hunt.best);
   }
   return end === 'met';
 }
@@ -165,13 +189,13 @@ export function seekOutside(hunt, task, restarts) {
  * @returns {number} metres; 0 if it is there, within tolerance
  */
 export function seekPlace(hunt, restarts) {
-  const { search, chain, random, travel } = hunt;
+  const { search, chain } = hunt;
   const nearest = hunt.best.slice();
   let least = Infinity;
   search.task = 'position';
   for (let k = 0; k <= restarts; k++) {
     if (k === 0) search.q.set(hunt.best);
-    else fillRandomPosture(search.packed, random, travel, search.q);
+    else startAnywhere(hunt);
     if (descend(search) === 'met') return 0;
     if (search.cost < least) {
       least = search.cost;

@@ -68,13 +68,16 @@ export function unwindTowards(packed, q, target) {
 /**
  * The middle of the limits; where one side is unlimited, zero, or the limit if zero is past it.
  * @param {Packed} packed
+ * @param {Float64Array} [q]  filled
  * @returns {Float64Array}
  */
-export const middlePosture = ({ lower, upper }) =>
-  lower.map((low, i) => {
-    const middle = (low + upper[i]) / 2;
-    return Number.isFinite(middle) ? middle : Math.min(upper[i], Math.max(low, 0));
-  });
+export function middlePosture({ lower, upper }, q = new Float64Array(lower.length)) {
+  for (let i = 0; i < q.length; i++) {
+    const middle = (lower[i] + upper[i]) / 2;
+    q[i] = Number.isFinite(middle) ? middle : Math.min(upper[i], Math.max(lower[i], 0));
+  }
+  return q;
+}
 
 /**
  * A posture anywhere inside the limits. A turning joint without limits takes any angle, a slide without limits anything

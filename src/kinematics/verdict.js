@@ -16,8 +16,12 @@ import { excessOf, isSlide } from './limits.js';
 const ROUNDING = 1e-12;
 
 /** @param {Chain} chain @param {ArrayLike<number>} T_base_goal */
-export const distanceFromShoulder = ({ shoulder: [x, y, z] }, T_base_goal) =>
-  Math.hypot(T_base_goal[12] - x, T_base_goal[13] - y, T_base_goal[14] - z);
+export function distanceFromShoulder({ shoulder }, T_base_goal) {
+  const x = T_base_goal[12] - shoulder[0];
+  const y = T_base_goal[13] - shoulder[1];
+  const z = T_base_goal[14] - shoulder[2];
+  return Math.sqrt(x * x + y * y + z * z);
+}
 
 /**
  * How far a goal is beyond what any posture could reach; 0 unless that is certain.

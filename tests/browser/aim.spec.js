@@ -37,7 +37,9 @@ test('a target out of reach says by how much, leaves the arm, and offers the nea
 test('an arm with four joints meets what it can, and says what that is', async ({ page }) => {
   await open(page, 'robot=scara_cobra600');
   await aimAt(page, { X: 450, Y: 100, Z: 300, W: 150, P: 0, R: 40 });
-  await expect(page.locator('.verdict-line')).toContainText('Met as far as this arm can: the position and the turn about the arm’s first axis.');
+  await expect(page.locator('.verdict-line')).toContainText(
+    'Met as far as this arm can: the position and the turn about the arm’s first axis.',
+  );
   const [x, y, z] = await tool(page);
   for (const [value, wanted] of [[x, 0.45], [y, 0.1], [z, 0.3]]) expect(value).toBeCloseTo(wanted, 8); // prettier-ignore
 });

@@ -33,8 +33,8 @@ import {
 /** @import { Matrix } from './oracle.js' */
 
 /** Of the 200 poses of an arm, this many in the quick run; the deep one takes them all. */
-const SAMPLE = runs(25);
-const SAMPLE_NEAR = runs(10);
+const SAMPLE = runs(15);
+const SAMPLE_NEAR = runs(5);
 
 /**
  * Every n-th, so that a sample is of the whole list.

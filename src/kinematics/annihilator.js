@@ -11,10 +11,13 @@ const COLUMNS = 8;
  * vectors and the last four columns of Q is the product of R's diagonal, with its sign.
  * @param {Float64Array} P      4 × 8, a vector a row; overwritten
  * @param {Float64Array} forms  4 × 8, filled: a form a row, orthogonal; unit but for the last
+ * @returns {number} the volume that the vectors span over the product of their lengths: 0 if they depend on one another
  */
 export function writeAnnihilator(P, forms) {
   const reflections = new Float64Array(ROWS * COLUMNS);
   let volume = 1;
+  let lengths = 1;
+  for (let k = 0; k < ROWS; k++) lengths *= Math.hypot(...P.subarray(COLUMNS * k, COLUMNS * (k + 1)));
   for (let k = 0; k < ROWS; k++) {
     const row = P.subarray(COLUMNS * k, COLUMNS * (k + 1));
     const v = reflections.subarray(COLUMNS * k, COLUMNS * (k + 1));
@@ -31,6 +34,7 @@ export function writeAnnihilator(P, forms) {
     form[ROWS + i] = i === ROWS - 1 ? volume : 1;
     for (let k = ROWS - 1; k >= 0; k--) reflect(reflections.subarray(COLUMNS * k, COLUMNS * (k + 1)), form);
   }
+  return Math.abs(volume) / lengths;
 }
 
 /** @param {Float64Array} v  normal of the mirror @param {Float64Array} x  changed in place */

@@ -51,7 +51,10 @@ const KNOTS = 5;
  * harmonics, which make the misfit, have less than their share of noise: at 12,000 solutions of 16 arms the polynomial was
  * off from zero by up to 180 times the misfit or 6e-15, and, with weights, by up to 1.2 times or 4e-14.
  */
-const DOUBT = { even: { misfit: 1000, pivot: 2e-14 }, weighted: { misfit: 50, pivot: 2e-15 } };
+const DOUBT = { even: { misfit: 1000, pivot: 2e-14 }, weighted: { misfit: 300, pivot: 1e-14 } };
+
+/** Four vectors of which the volume, over the product of their lengths, is less than this are taken for dependent. */
+const FLAT = 1e-5;
 
 /** Minors smaller than this, beside what they could be, are rounding. */
 const CANCELLED = 1e-12;
@@ -62,7 +65,8 @@ const ROUNDING = 2e-15;
 /** Moments less than this (arm lengths) are none. */
 const COPLANAR = 1e-9;
 
-const knotAngle = (/** @type {number} */ k) => (k * 2 * Math.PI) / KNOTS;
+/** Off the right angles, as in circleFit.js. @param {number} k */
+const knotAngle = (k) => 0.2917 + (k * 2 * Math.PI) / KNOTS;
 
 /**
  * The four forms that vanish on C, B C, C A and B C A.
@@ -70,13 +74,14 @@ const knotAngle = (/** @type {number} */ k) => (k * 2 * Math.PI) / KNOTS;
  * @param {Int8Array} joints
  * @param {Float64Array} C
  * @param {Float64Array} forms  4 · 8, filled
+ * @returns {boolean} false if the four are nearly dependent, as when the lines are nearly the same
  */
 function writeForms(lines, [a, , b], C, forms) {
   span.set(C);
   multiply(lines, DQ * b, C, 0, span, DQ);
   multiply(C, 0, lines, DQ * a, span, 2 * DQ);
   multiply(span, DQ, lines, DQ * a, span, 3 * DQ);
-  writeAnnihilator(span, forms);
+  return writeAnnihilator(span, forms) > FLAT;
 }
 const span = new Float64Array(4 * DQ);
 
@@ -124,8 +129,7 @@ export function prepareElimination(lines, slides, order, first, evenFit) {
     const forms = new Float64Array(FORMS);
     if (isCut) return { order, joints, hidden, isCut, forms, fit: evenFit };
     if (Math.abs(mutualMoment(lines, joints, unit)) < COPLANAR) return null;
-    writeForms(lines, joints, unit, forms);
-    return { order, joints, hidden, isCut, forms, fit: evenFit };
+    return writeForms(lines, joints, unit, forms) ? { order, joints, hidden, isCut, forms, fit: evenFit } : null;
   }
   const moments = Float64Array.from({ length: SAMPLES }, (_, k) =>
     mutualMoment(lines, joints, turnedBack(lines, hidden, sampleAngle(k))),
@@ -136,7 +140,8 @@ export function prepareElimination(lines, slides, order, first, evenFit) {
   if (!fit) return null;
   const forms = new Float64Array(KNOTS * FORMS);
   for (let k = 0; k < KNOTS; k++) {
-    writeForms(lines, joints, turnedBack(lines, hidden, knotAngle(k)), forms.subarray(FORMS * k, FORMS * (k + 1)));
+    const part = forms.subarray(FORMS * k, FORMS * (k + 1));
+    if (!writeForms(lines, joints, turnedBack(lines, hidden, knotAngle(k)), part)) return null;
   }
   return { order, joints, hidden, isCut, forms, fit };
 }
@@ -151,6 +156,7 @@ const inverseGoal = new Float64Array(DQ);
 const values = new Float64Array(SAMPLES);
 const pair = new Float64Array(2);
 const coefficients = new Float64Array(COUNT);
+const nothing = { coefficients, noise: 0, size: 0 };
 const held = new Float64Array(DQ);
 const factor = new Float64Array(DQ);
 
@@ -224,8 +230,10 @@ function writeHarmonics(elimination, lines) {
   for (let knot = 0; knot < KNOTS; knot++) {
     const from = order === 'between' ? FORMS * knot : 0;
     if (order !== 'between') writeFactor(elimination, lines, knotAngle(knot));
+    let longest = 0;
     for (let m = 0; m < COEFFICIENTS; m++) {
       withFactor(order, products, DQ * m, held);
+      longest = Math.max(longest, squareOf(held, 0));
       for (let row = 0; row < EQUATIONS; row++) {
         const at = from + DQ * row;
         let sum = 0;
@@ -233,7 +241,8 @@ function writeHarmonics(elimination, lines) {
         M[COEFFICIENTS * row + m] = sum;
       }
     }
-    most = Math.max(most, mostMinor());
+    // Three forms are unit, and four of the products are multiplied with them: no minor is larger.
+    most = Math.max(most, Math.sqrt(squareOf(forms, from + (EQUATIONS - 1) * DQ)) * longest * longest);
     writeDixonMatrix(M, D);
     for (let k = 0; k < KNOTS; k++) {
       const share = SHARES[KNOTS * knot + k];
@@ -247,15 +256,11 @@ function writeHarmonics(elimination, lines) {
   return true;
 }
 
-/** No minor of M is larger: the product of the lengths of its rows. */
-function mostMinor() {
-  let product = 1;
-  for (let row = 0; row < M.length; row += COEFFICIENTS) {
-    let square = 0;
-    for (let m = 0; m < COEFFICIENTS; m++) square += M[row + m] * M[row + m];
-    product *= square;
-  }
-  return Math.sqrt(product);
+/** @param {Float64Array} a @param {number} i @returns {number} the square of the length of a[i] … a[i + 7] */
+function squareOf(a, i) {
+  let square = 0;
+  for (let k = i; k < i + DQ; k++) square += a[k] * a[k];
+  return square;
 }
 
 /**
@@ -322,9 +327,9 @@ export function writeMatrixAt(angle, out) {
 export function eliminate(elimination, lines, goal) {
   const { order, joints, forms, fit, isCut } = elimination;
   conjugate(goal, 0, inverseGoal, 0);
-  if (isCut) writeForms(lines, joints, goal, forms);
+  if (isCut && !writeForms(lines, joints, goal, forms)) return nothing;
   writeProducts(elimination, lines);
-  if (!writeHarmonics(elimination, lines)) return { coefficients, noise: 0, size: 0 };
+  if (!writeHarmonics(elimination, lines)) return nothing;
   let scale = 0;
   for (let k = 0; k < SAMPLES; k++) {
     writeMatrixAt(sampleAngle(k), D);

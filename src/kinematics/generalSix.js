@@ -181,6 +181,7 @@ function solveLoop(eliminations, loop) {
     if (followsFully(elimination, loop, report, found)) return { found, isComplete: true };
   }
   if (reports.length === 0) searchFrom(STARTS, loop, found);
+  mergeSame(loop, found);
   return { found, isComplete: reports.some((report) => isExplained(report, loop, found, true)) };
 }
 

@@ -145,7 +145,7 @@ export function lookBeside(loop, found) {
 }
 
 /** Postures may have moved on to where others are. @param {Loop} loop @param {Float64Array[]} found  changed in place */
-function mergeSame(loop, found) {
+export function mergeSame(loop, found) {
   for (let i = found.length - 1; i > 0; i--) {
     const same = found.findIndex((other, j) => j < i && isSame(loop, found[i], other));
     if (same < 0) continue;

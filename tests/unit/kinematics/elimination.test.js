@@ -111,7 +111,7 @@ test('elimination with complete pivoting solves, and tells the rank', () => {
 test('the forms that vanish on four vectors do, and have the minors that those have', () => {
   const P = many(32);
   const forms = new Float64Array(32);
-  writeAnnihilator(P.slice(), forms);
+  expect(writeAnnihilator(P.slice(), forms)).toBeGreaterThan(1e-3);
   const row = (/** @type {Float64Array} */ A, /** @type {number} */ i) => [...A.subarray(8 * i, 8 * i + 8)];
   for (let i = 0; i < 4; i++) {
     for (let j = 0; j < 4; j++) {
@@ -124,6 +124,8 @@ test('the forms that vanish on four vectors do, and have the minors that those h
   expect(minor(forms, [0, 1, 2, 3])).toBeCloseTo(minor(P, [4, 5, 6, 7]), 12);
   expect(minor(forms, [4, 5, 6, 7])).toBeCloseTo(minor(P, [0, 1, 2, 3]), 12);
   expect(minor(forms, [0, 1, 2, 4])).toBeCloseTo(-minor(P, [3, 5, 6, 7]), 12);
+  P.set(P.subarray(0, 8), 16);
+  expect(writeAnnihilator(P.slice(), forms)).toBeLessThan(1e-15);
 });
 
 test('a fit on the circle gives back what was weighted, and no fit is made of too little', () => {

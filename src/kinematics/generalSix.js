@@ -33,6 +33,7 @@ import {
   isClear,
   isExplained,
   lookBeside,
+  mergeSame,
   mostZeros,
   zerosOf,
 } from './loopSolutions.js';

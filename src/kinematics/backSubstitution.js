@@ -12,7 +12,8 @@ import { solveCholesky } from './cholesky.js';
 import { factorise, nullVector } from './completePivoting.js';
 import { SIZE } from './dixon.js';
 import { DQ, multiply } from './dualQuaternion.js';
-import { writeBetween, writeMatrixAt, writeRest } from './elimination.js';
+import { writeMatrixAt } from './elimination.js';
+import { writeBetween, writeRest } from './restOfLoop.js';
 
 /** A fifth pivot smaller than this, over the first: perhaps two solutions. */
 const DOUBTFUL_PIVOT = 1e-5;

@@ -12,48 +12,18 @@
  * singularity take ten times the starts. The constants were chosen on generated poses of 22 arms; none matters much: damping
  * from 0.07 to 0.2, patience from 2 to 6, and 3 leaps or more differ by a tenth.)
  *
- * @import { Chain } from './chain.js'
- * @import { Work } from './differences.js'
- * @import { Packed } from './packed.js'
- * @import { Pose } from './pose.js'
- * @import { TaskName } from './task.js'
- *
- * @typedef {object} Search
- * @property {Packed} packed
- * @property {number} length      the characteristic length
- * @property {number} weight      of a square metre against a square radian: 1 / length²
- * @property {Float64Array} unit  per joint: radians or metres in one unit of the step
- * @property {Pose} goal          seen from the origin of the chain's `start`, as Work is
- * @property {number} positionTolerance
- * @property {number} orientationTolerance
- * @property {number} maxIterations
- * @property {boolean} isBounded  whether the limits hold
- * @property {TaskName} task
- * @property {ArrayLike<number>} up  the upright that tasks speak of (task.js)
- * @property {number} spare       weight of what the task leaves free
- * @property {boolean} isSettling  to the very bottom, instead of on to the next start as soon as it is slow
- * @property {Float64Array} q     where the search is
- * @property {number} cost        what is minimised, at q
- * @property {number} iterations  in all descents so far
- * @property {Work} work
- * @property {Float64Array} J   6 · n, metres and radians; a slide's per unit
- * @property {Float64Array} H   JᵀJ, weighted, its lower triangle row by row; a joint that a limit holds is out of it
- * @property {Float64Array} gradient   of less cost, likewise
- * @property {Float64Array} step
- * @property {Float64Array} bend
- * @property {Float64Array} trial
- * @property {Float64Array} lowest   where the cost was least in this descent
- * @property {Float64Array} residual   metres and radians
+ * @import { Search } from './search.js'
  *
  * @typedef {'met' | 'rest' | 'cut'} Descent  within tolerance; nothing improves any more; iterations spent before either
  */
 import { writeBend } from './bend.js';
 import { solveAgain, solveCholesky } from './cholesky.js';
-import { createStep, createWork, writeDifferences, writeWork } from './differences.js';
+import { createStep, writeDifferences, writeWork } from './differences.js';
 import { DEFAULT_STEP } from './jacobian.js';
-import { bringInside, isSlide } from './limits.js';
+import { bringInside } from './limits.js';
 import * as packing from './packed.js';
 import { poseDifference } from './pose.js';
+import { copy } from './search.js';
 import { shapeJacobian, shapeResidual, taskTurn } from './task.js';
 
 const { MOST_JOINTS } = packing; // the module's own: see frames.js
@@ -77,71 +47,6 @@ const TRIES = { hunting: 6, settling: 20 };
 /** So near the goal (half the error squared) a standstill is most likely a bend, and so often the search may leap. */
 const NEARLY_MET = 1e-8;
 const LEAPS = 8;
-
-/**
- * One search for each number of joints, used again and again: allocating its arrays takes longer than most solves. Nothing
- * in this folder calls back, so no two searches are ever under way.
- * @type {Search[]}
- */
-const searches = [];
-
-const UP = [0, 0, 1];
-
-/** @param {Packed} packed @param {number} dof @returns {Search} */
-const allocateSearch = (packed, dof) => ({
-  packed,
-  length: 1,
-  weight: 1,
-  unit: new Float64Array(dof),
-  goal: new Float64Array(16),
-  positionTolerance: 0,
-  orientationTolerance: 0,
-  maxIterations: 0,
-  isBounded: true,
-  task: 'pose',
-  up: UP,
-  spare: 0,
-  isSettling: false,
-  q: new Float64Array(dof),
-  cost: Infinity,
-  iterations: 0,
-  work: createWork(dof),
-  J: new Float64Array(6 * dof),
-  H: new Float64Array(dof * dof),
-  gradient: new Float64Array(dof),
-  step: new Float64Array(dof),
-  bend: new Float64Array(dof),
-  trial: new Float64Array(dof),
-  lowest: new Float64Array(dof),
-  residual: new Float64Array(6),
-});
-
-/**
- * A search for the whole pose, inside the limits. It is good until the next one is prepared.
- * @param {Chain} chain
- * @param {ArrayLike<number>} T_base_goal
- * @param {{ positionTolerance: number, orientationTolerance: number, maxIterations: number }} options
- * @returns {Search}
- */
-export function prepareSearch({ packed, dof, characteristicLength }, T_base_goal, options) {
-  const search = (searches[dof] ??= allocateSearch(packed, dof));
-  search.packed = packed;
-  search.length = characteristicLength;
-  search.weight = 1 / characteristicLength ** 2;
-  for (let i = 0; i < dof; i++) search.unit[i] = isSlide(packed, i) ? characteristicLength : 1;
-  copy(T_base_goal, search.goal);
-  for (let k = 12; k < 15; k++) search.goal[k] -= packed.start[k];
-  search.positionTolerance = options.positionTolerance;
-  search.orientationTolerance = options.orientationTolerance;
-  search.maxIterations = options.maxIterations;
-  search.isBounded = true;
-  search.task = 'pose';
-  search.up = UP;
-  search.spare = 0;
-  search.isSettling = false;
-  search.iterations = 0;
-  return search;
-}
 
 /**
  * The residual at a posture.
@@ -250,11 +155,6 @@ function squareOf(values) {
   let sum = 0;
   for (let i = 0; i < values.length; i++) sum += values[i] * values[i];
   return sum;
-}
-
-/** The method of typed arrays takes longer for so few. @param {ArrayLike<number>} from @param {Float64Array} to */
-function copy(from, to) {
-  for (let i = 0; i < to.length; i++) to[i] = from[i];
 }
 
 /**

@@ -22,8 +22,7 @@
  * special arms; then another choice of joints may do.
  *
  * @import { CircleFit } from './circleFit.js'
- *
- * @typedef {'between' | 'before' | 'after'} Order   where h is: between a and b, or before or after d, e and f
+ * @import { Order } from './restOfLoop.js'
  *
  * @typedef {object} Elimination
  * @property {Order} order
@@ -33,11 +32,12 @@
  * @property {Float64Array} forms   4 · 8, or 5 · 4 · 8 at five angles of h if it is between
  * @property {CircleFit} fit
  */
-import { writeAnnihilator } from './annihilator.js';
 import { fitCircle, sampleAngle, SAMPLES } from './circleFit.js';
 import { COUNT } from './circleRoots.js';
 import { COEFFICIENTS, EQUATIONS, SIZE, writeDeterminant, writeDixonMatrix } from './dixon.js';
-import { conjugate, DQ, multiply, turn } from './dualQuaternion.js';
+import { DQ, turn } from './dualQuaternion.js';
+import { products, setGoal, withFactor, writeFactor, writeProducts } from './restOfLoop.js';
+import { mutualMoment, writeForms } from './skewPair.js';
 
 const ENTRIES = SIZE * SIZE;
 const FORMS = EQUATIONS * DQ;
@@ -53,9 +53,6 @@ const KNOTS = 5;
  */
 const DOUBT = { even: { misfit: 1000, pivot: 2e-14 }, weighted: { misfit: 300, pivot: 1e-14 } };
 
-/** Four vectors of which the volume, over the product of their lengths, is less than this are taken for dependent. */
-const FLAT = 1e-5;
-
 /** Minors smaller than this, beside what they could be, are rounding. */
 const CANCELLED = 1e-12;
 
@@ -67,41 +64,6 @@ const COPLANAR = 1e-9;
 
 /** Off the right angles, as in circleFit.js. @param {number} k */
 const knotAngle = (k) => 0.2917 + (k * 2 * Math.PI) / KNOTS;
-
-/**
- * The four forms that vanish on C, B C, C A and B C A.
- * @param {Float64Array} lines
- * @param {Int8Array} joints
- * @param {Float64Array} C
- * @param {Float64Array} forms  4 · 8, filled
- * @returns {boolean} false if the four are nearly dependent, as when the lines are nearly the same
- */
-function writeForms(lines, [a, , b], C, forms) {
-  span.set(C);
-  multiply(lines, DQ * b, C, 0, span, DQ);
-  multiply(C, 0, lines, DQ * a, span, 2 * DQ);
-  multiply(span, DQ, lines, DQ * a, span, 3 * DQ);
-  return writeAnnihilator(span, forms) > FLAT;
-}
-const span = new Float64Array(4 * DQ);
-
-/**
- * The moment of line a about line b once it is moved.
- * @param {Float64Array} lines
- * @param {Int8Array} joints
- * @param {Float64Array} C   inverse of the motion
- */
-function mutualMoment(lines, [a, , b], C) {
-  conjugate(C, 0, moved, 0);
-  multiply(moved, 0, lines, DQ * b, moved, DQ);
-  multiply(moved, DQ, C, 0, moved, 2 * DQ);
-  let sum = 0;
-  for (let k = 1; k < 4; k++) {
-    sum += lines[DQ * a + k] * moved[2 * DQ + 4 + k] + lines[DQ * a + 4 + k] * moved[2 * DQ + k];
-  }
-  return sum;
-}
-const moved = new Float64Array(3 * DQ);
 
 /** @param {Float64Array} lines @param {number} h @param {number} angle @returns {Float64Array} the turn of h back by an angle */
 function turnedBack(lines, h, angle) {
@@ -146,69 +108,16 @@ export function prepareElimination(lines, slides, order, first, evenFit) {
   return { order, joints, hidden, isCut, forms, fit };
 }
 
-/** Of the pose under way: the eight products of 1 or line of d, e and f; Dixon's matrix, harmonic by harmonic. */
-const products = new Float64Array(COEFFICIENTS * DQ);
+/** Dixon's matrix of the pose under way, harmonic by harmonic. */
 const harmonics = new Float64Array(KNOTS * ENTRIES);
 
 const M = new Float64Array(EQUATIONS * COEFFICIENTS);
 const D = new Float64Array(ENTRIES);
-const inverseGoal = new Float64Array(DQ);
 const values = new Float64Array(SAMPLES);
 const pair = new Float64Array(2);
 const coefficients = new Float64Array(COUNT);
 const nothing = { coefficients, noise: 0, size: 0 };
 const held = new Float64Array(DQ);
-const factor = new Float64Array(DQ);
-
-/**
- * @param {Elimination} elimination
- * @param {Float64Array} lines
- */
-function writeProducts({ joints, order }, lines) {
-  products.fill(0, 0, DQ);
-  products[0] = 1;
-  let count = 1;
-  for (let k = 3; k < 6; k++) {
-    if (joints[k] === 0) passGoal(count);
-    for (let m = 0; m < count; m++) multiply(products, DQ * m, lines, DQ * joints[k], products, DQ * (count + m));
-    count *= 2;
-  }
-  if (joints[5] === 5 && order !== 'after') passGoal(count);
-}
-
-/** The loop is cut between joint 6 and joint 1. @param {number} count  products made so far */
-function passGoal(count) {
-  for (let m = 0; m < count; m++) {
-    for (let k = 0; k < DQ; k++) held[k] = products[DQ * m + k];
-    multiply(held, 0, inverseGoal, 0, products, DQ * m);
-  }
-}
-
-/**
- * The hidden joint's own motion, and the goal if it is next to that, into `factor`.
- * @param {Elimination} elimination
- * @param {Float64Array} lines
- * @param {number} angle
- */
-function writeFactor({ order, hidden }, lines, angle) {
-  turn(lines, DQ * hidden, Math.cos(angle / 2), Math.sin(angle / 2), factor, 0);
-  held.set(factor);
-  if (hidden === 0) multiply(inverseGoal, 0, held, 0, factor, 0);
-  else if (hidden === 5 && order === 'after') multiply(held, 0, inverseGoal, 0, factor, 0);
-}
-
-/**
- * out[k …] = what d, e and f do, of which `products` number m is a part, with the hidden joint's motion.
- * @param {Order} order
- * @param {Float64Array} motion
- * @param {number} m
- * @param {Float64Array} out
- */
-function withFactor(order, motion, m, out) {
-  if (order === 'before') multiply(factor, 0, motion, m, out, 0);
-  else if (order === 'after') multiply(motion, m, factor, 0, out, 0);
-  else for (let k = 0; k < DQ; k++) out[k] = motion[m + k];
-}
 
 /** 1, cos θ, sin θ, cos 2θ, sin 2θ at the knots, as shares of a value there in the harmonics. */
 const SHARES = Float64Array.from({ length: KNOTS * KNOTS }, (_, i) => {
@@ -264,39 +173,6 @@ function squareOf(a, i) {
 }
 
 /**
- * What d, e and f have to do together with h: the inverse of a C b. Of the pose under way, as are the next two.
- * @param {Elimination} elimination
- * @param {Float64Array} lines
- * @param {number} angle  of h
- * @param {(m: number) => number} shareOf  of each of the eight products
- * @param {Float64Array} out
- */
-export function writeRest(elimination, lines, angle, shareOf, out) {
-  sum.fill(0);
-  for (let m = 0; m < COEFFICIENTS; m++) {
-    const share = shareOf(m);
-    for (let k = 0; k < DQ; k++) sum[k] += share * products[DQ * m + k];
-  }
-  if (elimination.order !== 'between') writeFactor(elimination, lines, angle);
-  withFactor(elimination.order, sum, 0, out);
-}
-const sum = new Float64Array(DQ);
-
-/**
- * What is between a and b.
- * @param {Elimination} elimination
- * @param {Float64Array} lines
- * @param {number} angle
- * @param {Float64Array} out
- */
-export function writeBetween({ order, hidden, isCut }, lines, angle, out) {
-  if (order === 'between') turn(lines, DQ * hidden, Math.cos(angle / 2), Math.sin(angle / 2), out, 0);
-  else if (isCut) out.set(inverseGoal);
-  else out.set(UNIT);
-}
-const UNIT = Float64Array.of(1, 0, 0, 0, 0, 0, 0, 0);
-
-/**
  * Dixon's matrix of the pose under way.
  * @param {number} angle  of the hidden joint
  * @param {Float64Array} out  6 × 6, row by row
@@ -326,7 +202,7 @@ export function writeMatrixAt(angle, out) {
  */
 export function eliminate(elimination, lines, goal) {
   const { order, joints, forms, fit, isCut } = elimination;
-  conjugate(goal, 0, inverseGoal, 0);
+  setGoal(goal);
   if (isCut && !writeForms(lines, joints, goal, forms)) return nothing;
   writeProducts(elimination, lines);
   if (!writeHarmonics(elimination, lines)) return nothing;

@@ -3,7 +3,7 @@
  * does what is asked. Each leaves its answer in `hunt.search.q`.
  *
  * @import { Chain } from './chain.js'
- * @import { Search } from './dampedLeastSquares.js'
+ * @import { Search } from './search.js'
  * @import { TaskName } from './task.js'
  * @import { Excess } from './verdict.js'
  *
@@ -27,7 +27,8 @@
  * @property {number} bestCost
  * @property {boolean} wasCut  whether a descent to the whole pose ran out of iterations before it came to rest
  */
-import { descend, prepareSearch } from './dampedLeastSquares.js';
+import { descend } from './dampedLeastSquares.js';
+import { prepareSearch } from './search.js';
 import { uprightOf } from './lesserTasks.js';
 import { bringInside, fillRandomPosture } from './limits.js';
 import { createRandom } from './random.js';

@@ -10,18 +10,10 @@
  * @import { Chain } from './chain.js'
  * @import { EveryPosture } from './everyPosture.js'
  * @import { Hunt } from './hunt.js'
+ * @import { InverseOptions, Settings } from './inverseOptions.js'
  * @import { LesserTask } from './lesserTasks.js'
  * @import { TaskName } from './task.js'
  * @import { Excess, LimitVerdict } from './verdict.js'
- *
- * @typedef {object} InverseOptions
- * @property {ArrayLike<number>} [seed]  posture to start from and stay near; else the middle of the limits, 0 where unlimited
- * @property {number} [randomSeed]
- * @property {number} [restarts]         how many more starts a search may take
- * @property {number} [positionTolerance]     m
- * @property {number} [orientationTolerance]  rad
- * @property {number} [maxIterations]    of one descent
- * @property {boolean} [descentsOnly]    do not ask the arm's solver: the answer is what descents find, near the seed or not
  *
  * @typedef {object} InverseResult
  * @property {'converged' | 'subspace' | 'unreachable' | 'outside-limits' | 'stalled' | 'budget'} status
@@ -42,12 +34,12 @@
  * @property {number} [shortBy]       with the reason distance: how near to the place the tool was found to come, m
  * @property {number} [beyondReach]   with the reason distance, where it is proven by the arm's reach that it cannot come nearer; m
  */
-import { requirePositive, requirePosture, requireWhole } from './checks.js';
 import { proposePostures, solveEveryPosture } from './everyPosture.js';
 import { tcpPose } from './forward.js';
 import { createHunt, seekFrom, seekInside, seekOutside, seekPlace, settle, tryFirst } from './hunt.js';
+import { checkedOptions } from './inverseOptions.js';
 import { lesserTasks, uprightOf } from './lesserTasks.js';
-import { bringInside, middlePosture, unwindTowards } from './limits.js';
+import { unwindTowards } from './limits.js';
 import { certainTurn } from './parallelAxes.js';
 import { poseDifference, requirePose } from './pose.js';
 import { recognise } from './solvers.js';
@@ -80,44 +72,8 @@ const TASK_RESTARTS = 50;
 /** A solution nearer to the seed by less than this (radians, arm lengths) is the same one. */
 const NEARER = 1e-6;
 
-/** Arrays for each number of joints, used again and again: nothing here calls back. @type {{ seed: Float64Array, best: Float64Array }[]} */
-const rooms = [];
 const T_base_tcp = new Float64Array(16);
 const difference = new Float64Array(6);
-
-/** @typedef {ReturnType<typeof checkedOptions>} Settings */
-
-/**
- * @param {Chain} chain
- * @param {InverseOptions} options
- */
-function checkedOptions({ packed, dof }, options) {
-  const { seed, randomSeed = 1, restarts = 200, maxIterations = 100 } = options;
-  const { positionTolerance = 1e-9, orientationTolerance = 1e-9, descentsOnly = false } = options;
-  const room = (rooms[dof] ??= { seed: new Float64Array(dof), best: new Float64Array(dof) });
-  if (seed === undefined) {
-    middlePosture(packed, room.seed);
-  } else {
-    requirePosture(dof, seed);
-    for (let i = 0; i < dof; i++) room.seed[i] = bringInside(packed, i, seed[i]);
-  }
-  requirePositive('positionTolerance', positionTolerance);
-  requirePositive('orientationTolerance', orientationTolerance);
-  requireWhole('restarts', restarts);
-  requireWhole('maxIterations', maxIterations);
-  requireWhole('randomSeed', randomSeed, -Infinity);
-  const { seed: inside, best } = room;
-  return {
-    seed: inside,
-    best,
-    randomSeed,
-    restarts,
-    maxIterations,
-    positionTolerance,
-    orientationTolerance,
-    descentsOnly,
-  };
-}
 
 /**
  * What `q` is worth, by nothing but forward kinematics.

@@ -5,7 +5,8 @@
  * @import { Chain } from './chain.js'
  * @import { EveryPosture, Tolerances } from './everyPosture.js'
  */
-import { descend, prepareSearch } from './dampedLeastSquares.js';
+import { descend } from './dampedLeastSquares.js';
+import { prepareSearch } from './search.js';
 import { isThere } from './everyPosture.js';
 import { isSlide } from './limits.js';
 import { createRandom } from './random.js';

@@ -1,7 +1,8 @@
 /**
  * What every answer of inverse kinematics owes, whatever its status.
  * @import { ChainDescription } from '../../../src/kinematics/chain.js'
- * @import { InverseOptions, InverseResult } from '../../../src/kinematics/inverse.js'
+ * @import { InverseResult } from '../../../src/kinematics/inverse.js'
+ * @import { InverseOptions } from '../../../src/kinematics/inverseOptions.js'
  * @import { Matrix } from './oracle.js'
  */
 import { expect } from 'vitest';

@@ -7,9 +7,9 @@
  */
 import { allInverseKinematics } from '../src/kinematics/allInverse.js';
 import { createChain } from '../src/kinematics/chain.js';
-import { recogniseOrthoParallel, writeOrthoParallelPostures } from '../src/kinematics/orthoParallel.js';
+import { recogniseOrthoParallel, writeOrthoParallelPostures } from '../src/kinematics/solvers/orthoParallel.js';
 import { goalFromStart, screwsOf } from '../src/kinematics/screws.js';
-import { recognise } from '../src/kinematics/solvers.js';
+import { recognise } from '../src/kinematics/solvers/solvers.js';
 import { isThere, judgePose, reachablePoses, reachablePostures, readArm } from './arms.mjs';
 import { median, quantile, timeCalls, timeEach } from './measure.mjs';
 

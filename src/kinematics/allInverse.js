@@ -4,9 +4,9 @@
  * families, and named as such.
  *
  * @import { Chain } from './chain.js'
- * @import { Family } from './candidates.js'
+ * @import { Family } from './solvers/candidates.js'
  * @import { FanucConfiguration, KukaStatusTurn, PostureName } from './postureNames.js'
- * @import { Method } from './solvers.js'
+ * @import { Method } from './solvers/solvers.js'
  * @import { LimitMargin } from './turns.js'
  *
  * @typedef {object} AllInverseOptions
@@ -37,7 +37,7 @@ import { errorsAt, solveEveryPosture } from './everyPosture.js';
 import { fanucConfiguration, kukaStatusTurn, namePosture, prepareNames } from './postureNames.js';
 import { requirePose } from './pose.js';
 import { searchEveryPosture } from './searchEvery.js';
-import { recognise } from './solvers.js';
+import { recognise } from './solvers/solvers.js';
 import { limitMarginOf, writeBestTurns } from './turns.js';
 import { wayFrom } from './way.js';
 

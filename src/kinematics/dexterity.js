@@ -3,7 +3,7 @@
  * is divided by what).
  *
  * @import { Chain } from './chain.js'
- * @import { Decomposition, Part, PartOptions } from './homogeneous.js'
+ * @import { Decomposition, Part, PartOptions } from './measures/homogeneous.js'
  *
  * @typedef {object} Dexterity
  * @property {Part} part  of the Jacobian that was measured
@@ -26,7 +26,7 @@
  * @property {number} rank  how many half lengths of the velocity ellipsoid are not 0: 3 a body, 2 a disc, 1 a line, 0 a point
  * @property {boolean} isDegenerate  whether that is fewer than 3
  */
-import { singularValuesOf } from './homogeneous.js';
+import { singularValuesOf } from './measures/homogeneous.js';
 import { tcpPose } from './forward.js';
 import { geometricJacobian } from './jacobian.js';
 

@@ -3,7 +3,7 @@
  * first: [v, ω] in m/s and rad/s, [f, m] in N and N·m; in base axes, or in the tool's axes where asked for.
  *
  * @import { Chain } from './chain.js'
- * @import { Part } from './homogeneous.js'
+ * @import { Part } from './measures/homogeneous.js'
  *
  * @typedef {'base' | 'tool'} Axes  along which a twist or wrench is written; it stays at the TCP either way
  *
@@ -20,7 +20,7 @@
  * @property {number} damping    λ
  */
 import { tcpPose } from './forward.js';
-import { RANK_TOLERANCE, ownPart, rowsOfPart, singularValuesOf } from './homogeneous.js';
+import { RANK_TOLERANCE, ownPart, rowsOfPart, singularValuesOf } from './measures/homogeneous.js';
 import { geometricJacobian } from './jacobian.js';
 import { isSlide } from './limits.js';
 

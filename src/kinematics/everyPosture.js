@@ -2,9 +2,9 @@
  * All postures for a pose, limits ignored, without their names: what a solver or a search proposes, polished on the chain
  * itself and proven by forward kinematics.
  *
- * @import { Candidates, Family } from './candidates.js'
+ * @import { Candidates, Family } from './solvers/candidates.js'
  * @import { Chain } from './chain.js'
- * @import { Method } from './solvers.js'
+ * @import { Method } from './solvers/solvers.js'
  *
  * @typedef {object} Tolerances
  * @property {number} positionTolerance     m
@@ -21,7 +21,7 @@ import { isSlide } from './limits.js';
 import { polish } from './polish.js';
 import { poseDifference } from './pose.js';
 import { goalFromStart } from './screws.js';
-import { recognise } from './solvers.js';
+import { recognise } from './solvers/solvers.js';
 import { wayBetween } from './way.js';
 
 /** Two postures nearer than this (radians, arm lengths) are the same one, found twice. */

@@ -9,11 +9,11 @@
  *
  * @import { Chain } from './chain.js'
  * @import { EveryPosture } from './everyPosture.js'
- * @import { Hunt } from './hunt.js'
- * @import { InverseOptions, Settings } from './inverseOptions.js'
- * @import { LesserTask } from './lesserTasks.js'
- * @import { TaskName } from './task.js'
- * @import { Excess, LimitVerdict } from './verdict.js'
+ * @import { Hunt } from './descent/hunt.js'
+ * @import { InverseOptions, Settings } from './descent/inverseOptions.js'
+ * @import { LesserTask } from './descent/lesserTasks.js'
+ * @import { TaskName } from './descent/task.js'
+ * @import { Excess, LimitVerdict } from './descent/verdict.js'
  *
  * @typedef {object} InverseResult
  * @property {'converged' | 'subspace' | 'unreachable' | 'outside-limits' | 'stalled' | 'budget'} status
@@ -36,16 +36,16 @@
  */
 import { proposePostures, solveEveryPosture } from './everyPosture.js';
 import { tcpPose } from './forward.js';
-import { createHunt, seekFrom, seekInside, seekOutside, seekPlace, settle, tryFirst } from './hunt.js';
-import { checkedOptions } from './inverseOptions.js';
-import { lesserTasks, uprightOf } from './lesserTasks.js';
+import { createHunt, seekFrom, seekInside, seekOutside, seekPlace, settle, tryFirst } from './descent/hunt.js';
+import { checkedOptions } from './descent/inverseOptions.js';
+import { lesserTasks, uprightOf } from './descent/lesserTasks.js';
 import { unwindTowards } from './limits.js';
 import { certainTurn } from './parallelAxes.js';
 import { poseDifference, requirePose } from './pose.js';
-import { recognise } from './solvers.js';
-import { taskTurn } from './task.js';
+import { recognise } from './solvers/solvers.js';
+import { taskTurn } from './descent/task.js';
 import { writeBestTurns } from './turns.js';
-import { beyondReach, leastExcess, limitsBind } from './verdict.js';
+import { beyondReach, leastExcess, limitsBind } from './descent/verdict.js';
 import { wayFrom } from './way.js';
 
 /** Starts when the goal is known to be impossible: only the nearest posture is looked for. */

@@ -6,8 +6,8 @@
  * in eulerNames.js; quaternions and rotation vectors are in quaternion.js and axisAngle.js.
  * @import { Pose } from './pose.js'
  */
-import { eulerAnglesOf, poseFromEulerAngles } from './eulerAngles.js';
-import { requireNumbers } from './poseInput.js';
+import { eulerAnglesOf, poseFromEulerAngles } from './orientations/eulerAngles.js';
+import { requireNumbers } from './orientations/poseInput.js';
 
 /**
  * Right angles are exact.

@@ -3,7 +3,7 @@
  * its tool turns about one direction u of space and no other, so the angle between u and anything on the tool stays.
  *
  * @import { Chain } from './chain.js'
- * @import { TaskName } from './task.js'
+ * @import { TaskName } from './descent/task.js'
  */
 import { linkFrames, tcpPose } from './forward.js';
 import { ROW, SIN_TWIST } from './packed.js';

@@ -9,8 +9,8 @@
  *   lies is righty while its elbow is right of the line from shoulder to hand, seen from above, as a man's right arm is;
  * - wrist: to which side of straight it is bent.
  *
- * @import { Bend, Names, NoCode, Shoulder } from './nameLines.js'
- * @import { PlanarArm } from './namePlanar.js'
+ * @import { Bend, Names, NoCode, Shoulder } from './names/nameLines.js'
+ * @import { PlanarArm } from './names/namePlanar.js'
  *
  * @typedef {object} PostureName
  * @property {'front' | 'back' | null} shoulder
@@ -29,9 +29,9 @@
  * @typedef {{ status: number, turn: number, reason: null } | { status: null, turn: null, reason: NoCode }} KukaStatusTurn
  */
 import { requirePosture } from './checks.js';
-import { BORDER } from './nameLines.js';
+import { BORDER } from './names/nameLines.js';
 
-export { prepareNames } from './nameLines.js';
+export { prepareNames } from './names/nameLines.js';
 
 const FULL_TURN = 2 * Math.PI;
 

@@ -5,12 +5,12 @@
  * @import { Chain } from './chain.js'
  * @import { EveryPosture, Tolerances } from './everyPosture.js'
  */
-import { descend } from './dampedLeastSquares.js';
-import { prepareSearch } from './search.js';
+import { descend } from './descent/dampedLeastSquares.js';
+import { prepareSearch } from './descent/search.js';
 import { isThere } from './everyPosture.js';
 import { isSlide } from './limits.js';
 import { createRandom } from './random.js';
-import { distanceFromShoulder } from './verdict.js';
+import { distanceFromShoulder } from './descent/verdict.js';
 import { wayBetween } from './way.js';
 
 /** So many starts in a row without anything new end the search, and so many more for each posture that is known. */

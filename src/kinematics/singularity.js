@@ -6,9 +6,9 @@
  * have to go until it does not move in some direction at all. Neither bounds the other for long, since the arm bends.
  *
  * @import { Chain } from './chain.js'
- * @import { Part, PartOptions } from './homogeneous.js'
- * @import { Ground } from './singularPostures.js'
- * @import { SingularityKind } from './singularityKinds.js'
+ * @import { Part, PartOptions } from './measures/homogeneous.js'
+ * @import { Ground } from './measures/singularPostures.js'
+ * @import { SingularityKind } from './measures/singularityKinds.js'
  *
  * @typedef {PartOptions & { withinLimits?: boolean, samples?: number, searches?: number, randomSeed?: number }} SearchOptions
  *   withinLimits: only singular postures inside the joint limits (true). samples: postures looked at on one turn of each
@@ -40,12 +40,20 @@
  * @property {number} lostFreedoms    how many independent motions are lost; 0 where the arm is not singular
  */
 import { requirePosture } from './checks.js';
-import { checkedScale, ownPart, rankOf } from './homogeneous.js';
+import { checkedScale, ownPart, rankOf } from './measures/homogeneous.js';
 import { isSlide } from './limits.js';
 import { createRandom } from './random.js';
-import { singularityKinds } from './singularityKinds.js';
-import { approach, createGround, descend, distance, isNought, smallestAt, writeGradient } from './singularPostures.js';
-import { createSvd, decompose } from './singularValues.js';
+import { singularityKinds } from './measures/singularityKinds.js';
+import {
+  approach,
+  createGround,
+  descend,
+  distance,
+  isNought,
+  smallestAt,
+  writeGradient,
+} from './measures/singularPostures.js';
+import { createSvd, decompose } from './measures/singularValues.js';
 
 /** One turn of a joint is looked at in this many places; singular values have two or four minima in a turn. */
 const SAMPLES = 24;

@@ -6,7 +6,7 @@
  */
 import { createChain } from '../kinematics/chain.js';
 import { poseFromRollPitchYaw } from '../kinematics/orientation.js';
-import { poseFromQuaternion } from '../kinematics/quaternion.js';
+import { poseFromQuaternion } from '../kinematics/orientations/quaternion.js';
 import { isSliding, limitsOf, quantityOf } from './document.js';
 import { fromKernel, toKernel } from './units.js';
 

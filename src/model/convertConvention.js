@@ -13,7 +13,7 @@
  */
 import { compose, invert } from '../kinematics/pose.js';
 import { rollPitchYawOf } from '../kinematics/orientation.js';
-import { quaternionOf } from '../kinematics/quaternion.js';
+import { quaternionOf } from '../kinematics/orientations/quaternion.js';
 import { compilePose } from './compile.js';
 import { identityPose } from './document.js';
 import { convertAngle } from './units.js';

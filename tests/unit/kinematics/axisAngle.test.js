@@ -5,7 +5,7 @@ import {
   poseFromAxisAngle,
   poseFromRotationVector,
   rotationVectorOf,
-} from '../../../src/kinematics/axisAngle.js';
+} from '../../../src/kinematics/orientations/axisAngle.js';
 import { createRandom } from '../../../src/kinematics/random.js';
 import { SEED, runs } from '../../helpers/property.js';
 import { anyPose, columnMajor, largestDifference, rigid, rodrigues, rotationOf, rowsOf } from './oracle.js';

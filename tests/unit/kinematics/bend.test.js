@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { expect, test } from 'vitest';
-import { writeBend } from '../../../src/kinematics/bend.js';
+import { writeBend } from '../../../src/kinematics/descent/bend.js';
 import { createChain } from '../../../src/kinematics/chain.js';
 import { geometricJacobian } from '../../../src/kinematics/jacobian.js';
 import { SEED, runs } from '../../helpers/property.js';

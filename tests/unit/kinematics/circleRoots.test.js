@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { circleZeros, COUNT, DEGREE, evaluate } from '../../../src/kinematics/circleRoots.js';
+import { circleZeros, COUNT, DEGREE, evaluate } from '../../../src/kinematics/solvers/general/circleRoots.js';
 import { SEED, runs } from '../../helpers/property.js';
 
 /**

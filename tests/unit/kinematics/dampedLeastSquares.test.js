@@ -1,8 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { createChain } from '../../../src/kinematics/chain.js';
-import { descend } from '../../../src/kinematics/dampedLeastSquares.js';
-import { prepareSearch } from '../../../src/kinematics/search.js';
+import { descend } from '../../../src/kinematics/descent/dampedLeastSquares.js';
+import { prepareSearch } from '../../../src/kinematics/descent/search.js';
 import { SEED, runs } from '../../helpers/property.js';
 import {
   angleBetween,

@@ -3,7 +3,7 @@ import { describe, expect, test } from 'vitest';
 import { createChain } from '../../../src/kinematics/chain.js';
 import { dexterity, forceEllipsoid, velocityEllipsoid } from '../../../src/kinematics/dexterity.js';
 import { staticTorques, twistOf } from '../../../src/kinematics/differentials.js';
-import { freedomsOf, ownPart, singularValuesOf } from '../../../src/kinematics/homogeneous.js';
+import { freedomsOf, ownPart, singularValuesOf } from '../../../src/kinematics/measures/homogeneous.js';
 import { finiteDifferenceJacobian, geometricJacobian } from '../../../src/kinematics/jacobian.js';
 import { SEED, runs } from '../../helpers/property.js';
 import { anyChain } from './oracle.js';

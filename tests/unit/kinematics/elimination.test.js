@@ -1,13 +1,23 @@
 import { describe, expect, test } from 'vitest';
-import { writeAnnihilator } from '../../../src/kinematics/annihilator.js';
-import { posturesAt } from '../../../src/kinematics/backSubstitution.js';
-import { fitCircle, SAMPLES, sampleAngle } from '../../../src/kinematics/circleFit.js';
-import { evaluate } from '../../../src/kinematics/circleRoots.js';
-import { factorise, nullVector, rankOf, solveFactorised } from '../../../src/kinematics/completePivoting.js';
-import { writeDeterminant, writeDixonMatrix } from '../../../src/kinematics/dixon.js';
-import { linesOf, loopProduct, multiply, writeGoalMotion } from '../../../src/kinematics/dualQuaternion.js';
-import { eliminate, prepareElimination } from '../../../src/kinematics/elimination.js';
-import { closeLoop, gapAt } from '../../../src/kinematics/loopClosure.js';
+import { writeAnnihilator } from '../../../src/kinematics/solvers/general/annihilator.js';
+import { posturesAt } from '../../../src/kinematics/solvers/general/backSubstitution.js';
+import { fitCircle, SAMPLES, sampleAngle } from '../../../src/kinematics/solvers/general/circleFit.js';
+import { evaluate } from '../../../src/kinematics/solvers/general/circleRoots.js';
+import {
+  factorise,
+  nullVector,
+  rankOf,
+  solveFactorised,
+} from '../../../src/kinematics/solvers/general/completePivoting.js';
+import { writeDeterminant, writeDixonMatrix } from '../../../src/kinematics/solvers/general/dixon.js';
+import {
+  linesOf,
+  loopProduct,
+  multiply,
+  writeGoalMotion,
+} from '../../../src/kinematics/solvers/general/dualQuaternion.js';
+import { eliminate, prepareElimination } from '../../../src/kinematics/solvers/general/elimination.js';
+import { closeLoop, gapAt } from '../../../src/kinematics/solvers/general/loopClosure.js';
 import { createChain } from '../../../src/kinematics/chain.js';
 import { createRandom } from '../../../src/kinematics/random.js';
 import { goalFromStart, screwsOf } from '../../../src/kinematics/screws.js';

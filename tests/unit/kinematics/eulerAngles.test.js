@@ -1,9 +1,13 @@
-/** @import { EulerSequence } from '../../../src/kinematics/eulerAngles.js' */
+/** @import { EulerSequence } from '../../../src/kinematics/orientations/eulerAngles.js' */
 /** @import { Matrix } from './oracle.js' */
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { EULER_SEQUENCES, eulerAnglesOf, poseFromEulerAngles } from '../../../src/kinematics/eulerAngles.js';
-import { EULER_NAMES } from '../../../src/kinematics/eulerNames.js';
+import {
+  EULER_SEQUENCES,
+  eulerAnglesOf,
+  poseFromEulerAngles,
+} from '../../../src/kinematics/orientations/eulerAngles.js';
+import { EULER_NAMES } from '../../../src/kinematics/orientations/eulerNames.js';
 import { identity } from '../../../src/kinematics/pose.js';
 import { createRandom } from '../../../src/kinematics/random.js';
 import { SEED, runs } from '../../helpers/property.js';

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { createChain } from '../../../src/kinematics/chain.js';
-import { recogniseGeneralSix, solveGeneralSix } from '../../../src/kinematics/generalSix.js';
+import { recogniseGeneralSix, solveGeneralSix } from '../../../src/kinematics/solvers/general/generalSix.js';
 import { createRandom } from '../../../src/kinematics/random.js';
 import { goalFromStart, screwsOf } from '../../../src/kinematics/screws.js';
 import { SEED, runs } from '../../helpers/property.js';
@@ -19,7 +19,7 @@ import { fixture, poseOf, publishedArm, publishedInverse } from './publishedArms
 import { differenceOf, searchAll, turnsApart } from './searchAll.js';
 
 /** @import { ChainDescription } from '../../../src/kinematics/chain.js' */
-/** @import { Candidates } from '../../../src/kinematics/candidates.js' */
+/** @import { Candidates } from '../../../src/kinematics/solvers/candidates.js' */
 /** @import { Matrix } from './oracle.js' */
 
 /** @param {ChainDescription} description */

@@ -4,14 +4,14 @@
  */
 import { describe, expect, test } from 'vitest';
 import { allInverseKinematics } from '../../../src/kinematics/allInverse.js';
-import { axisAngleOf, poseFromAxisAngle } from '../../../src/kinematics/axisAngle.js';
+import { axisAngleOf, poseFromAxisAngle } from '../../../src/kinematics/orientations/axisAngle.js';
 import { createChain } from '../../../src/kinematics/chain.js';
 import { dexterity, velocityEllipsoid } from '../../../src/kinematics/dexterity.js';
-import { eulerAnglesOf, poseFromEulerAngles } from '../../../src/kinematics/eulerAngles.js';
+import { eulerAnglesOf, poseFromEulerAngles } from '../../../src/kinematics/orientations/eulerAngles.js';
 import { linkFrames, tcpPose } from '../../../src/kinematics/forward.js';
 import { finiteDifferenceJacobian, geometricJacobian } from '../../../src/kinematics/jacobian.js';
 import { compose, invert, position, translation } from '../../../src/kinematics/pose.js';
-import { poseFromQuaternion, quaternionOf } from '../../../src/kinematics/quaternion.js';
+import { poseFromQuaternion, quaternionOf } from '../../../src/kinematics/orientations/quaternion.js';
 import { columnMajor, rotationOf, rowsOf } from './oracle.js';
 import { fixture, publishedArm } from './publishedArms.js';
 

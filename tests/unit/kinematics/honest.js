@@ -2,7 +2,7 @@
  * What every answer of inverse kinematics owes, whatever its status.
  * @import { ChainDescription } from '../../../src/kinematics/chain.js'
  * @import { InverseResult } from '../../../src/kinematics/inverse.js'
- * @import { InverseOptions } from '../../../src/kinematics/inverseOptions.js'
+ * @import { InverseOptions } from '../../../src/kinematics/descent/inverseOptions.js'
  * @import { Matrix } from './oracle.js'
  */
 import { expect } from 'vitest';

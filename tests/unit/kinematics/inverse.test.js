@@ -19,7 +19,7 @@ import {
 } from './oracle.js';
 
 /** @import { ChainDescription } from '../../../src/kinematics/chain.js' */
-/** @import { InverseOptions } from '../../../src/kinematics/inverseOptions.js' */
+/** @import { InverseOptions } from '../../../src/kinematics/descent/inverseOptions.js' */
 /** @import { Matrix } from './oracle.js' */
 
 const HALF_TURN = Math.PI;

@@ -9,7 +9,7 @@ import {
   unwindTowards,
 } from '../../../src/kinematics/limits.js';
 import { createRandom } from '../../../src/kinematics/random.js';
-import { worstExcess } from '../../../src/kinematics/verdict.js';
+import { worstExcess } from '../../../src/kinematics/descent/verdict.js';
 import { SEED, runs } from '../../helpers/property.js';
 
 const TURN = 2 * Math.PI;

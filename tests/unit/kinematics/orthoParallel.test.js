@@ -7,10 +7,10 @@ import {
   WRIST_IN_LINE,
   recogniseOrthoParallel,
   writeOrthoParallelPostures,
-} from '../../../src/kinematics/orthoParallel.js';
+} from '../../../src/kinematics/solvers/orthoParallel.js';
 import { createRandom } from '../../../src/kinematics/random.js';
 import { goalFromStart, screwsOf } from '../../../src/kinematics/screws.js';
-import { solveWristPartition } from '../../../src/kinematics/wristPartition.js';
+import { solveWristPartition } from '../../../src/kinematics/solvers/wristPartition.js';
 import { SEED, runs } from '../../helpers/property.js';
 import { RIGHT, apart, miss, poseAt, prepare, table } from './partitioned.js';
 import { ALL_ARMS, publishedArm } from './publishedArms.js';

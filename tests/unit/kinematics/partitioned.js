@@ -1,13 +1,13 @@
 /**
  * Chains built to have a wrist, and what the tests of their solver ask of its answers: all by the plain matrices of
  * oracle.js.
- * @import { Candidates } from '../../../src/kinematics/candidates.js'
+ * @import { Candidates } from '../../../src/kinematics/solvers/candidates.js'
  * @import { ChainDescription } from '../../../src/kinematics/chain.js'
  * @import { Convention, JointRow } from '../../../src/kinematics/joint.js'
  */
 import { createChain } from '../../../src/kinematics/chain.js';
 import { goalFromStart, screwsOf } from '../../../src/kinematics/screws.js';
-import { recogniseWristPartition, solveWristPartition } from '../../../src/kinematics/wristPartition.js';
+import { recogniseWristPartition, solveWristPartition } from '../../../src/kinematics/solvers/wristPartition.js';
 import { angleBetween, columnMajor, distanceBetween, oracleForward } from './oracle.js';
 
 export const RIGHT = Math.PI / 2;

@@ -11,8 +11,8 @@ import { createChain } from '../../../src/kinematics/chain.js';
 import { fanucConfiguration, kukaStatusTurn, namePosture, prepareNames } from '../../../src/kinematics/postureNames.js';
 import { createRandom } from '../../../src/kinematics/random.js';
 import { goalFromStart, screwsOf } from '../../../src/kinematics/screws.js';
-import { recogniseThreeParallel, solveThreeParallel } from '../../../src/kinematics/threeParallel.js';
-import { recogniseWristPartition, solveWristPartition } from '../../../src/kinematics/wristPartition.js';
+import { recogniseThreeParallel, solveThreeParallel } from '../../../src/kinematics/solvers/threeParallel.js';
+import { recogniseWristPartition, solveWristPartition } from '../../../src/kinematics/solvers/wristPartition.js';
 import { SEED, runs } from '../../helpers/property.js';
 import { arm, columnMajor, oracleForward } from './oracle.js';
 

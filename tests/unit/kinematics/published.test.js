@@ -29,7 +29,7 @@ import {
   withSixJoints,
 } from './publishedArms.js';
 
-/** @import { InverseOptions } from '../../../src/kinematics/inverseOptions.js' */
+/** @import { InverseOptions } from '../../../src/kinematics/descent/inverseOptions.js' */
 /** @import { Matrix } from './oracle.js' */
 
 /** Of the 200 poses of an arm, this many in the quick run; the deep one takes them all. */

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { EULER_SEQUENCES, poseFromEulerAngles } from '../../../src/kinematics/eulerAngles.js';
-import { poseFromQuaternion, quaternionOf } from '../../../src/kinematics/quaternion.js';
+import { EULER_SEQUENCES, poseFromEulerAngles } from '../../../src/kinematics/orientations/eulerAngles.js';
+import { poseFromQuaternion, quaternionOf } from '../../../src/kinematics/orientations/quaternion.js';
 import { createRandom } from '../../../src/kinematics/random.js';
 import { SEED, runs } from '../../helpers/property.js';
 import { anyPose, columnMajor, largestDifference, rigid, rodrigues, rotationOf, rowsOf } from './oracle.js';

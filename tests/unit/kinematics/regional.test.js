@@ -4,7 +4,7 @@
  */
 import { expect, test } from 'vitest';
 import { createRandom } from '../../../src/kinematics/random.js';
-import { isDeficient, prepareRegional, solveRegional } from '../../../src/kinematics/regional.js';
+import { isDeficient, prepareRegional, solveRegional } from '../../../src/kinematics/solvers/regional.js';
 import { SEED, runs } from '../../helpers/property.js';
 import { rodrigues } from './oracle.js';
 

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import { createRandom } from '../../../src/kinematics/random.js';
-import { doubleTurnRoots, polynomialRoots, quadraticRoots, turnRoots } from '../../../src/kinematics/roots.js';
+import { doubleTurnRoots, polynomialRoots, quadraticRoots, turnRoots } from '../../../src/kinematics/solvers/roots.js';
 import { SEED, runs } from '../../helpers/property.js';
 
 const random = createRandom(SEED);

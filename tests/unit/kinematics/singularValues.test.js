@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { createSvd, decompose } from '../../../src/kinematics/singularValues.js';
+import { createSvd, decompose } from '../../../src/kinematics/measures/singularValues.js';
 import { SEED, runs } from '../../helpers/property.js';
 import { times, transpose } from './oracle.js';
 

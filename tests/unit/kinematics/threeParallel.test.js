@@ -1,15 +1,15 @@
 /**
  * All postures of arms like Universal Robots', judged by the plain matrices of oracle.js.
- * @import { Family } from '../../../src/kinematics/candidates.js'
+ * @import { Family } from '../../../src/kinematics/solvers/candidates.js'
  * @import { ChainDescription } from '../../../src/kinematics/chain.js'
  */
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { createChain } from '../../../src/kinematics/chain.js';
-import { halfAngle } from '../../../src/kinematics/halfAngle.js';
+import { halfAngle } from '../../../src/kinematics/solvers/halfAngle.js';
 import { createRandom } from '../../../src/kinematics/random.js';
 import { goalFromStart, screwsOf } from '../../../src/kinematics/screws.js';
-import { recogniseThreeParallel, solveThreeParallel } from '../../../src/kinematics/threeParallel.js';
+import { recogniseThreeParallel, solveThreeParallel } from '../../../src/kinematics/solvers/threeParallel.js';
 import { SEED, runs } from '../../helpers/property.js';
 import { anyPose, arm, columnMajor, largestDifference, oracleForward, sizeOf } from './oracle.js';
 

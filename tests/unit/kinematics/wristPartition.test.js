@@ -7,7 +7,7 @@ import { describe, expect, test } from 'vitest';
 import { createChain } from '../../../src/kinematics/chain.js';
 import { createRandom } from '../../../src/kinematics/random.js';
 import { screwsOf } from '../../../src/kinematics/screws.js';
-import { recogniseWristPartition } from '../../../src/kinematics/wristPartition.js';
+import { recogniseWristPartition } from '../../../src/kinematics/solvers/wristPartition.js';
 import { SEED, runs } from '../../helpers/property.js';
 import { anyPose, columnMajor, oracleForward } from './oracle.js';
 import { RIGHT, anyPartitioned, apart, met, nearest, poseAt, repeats, solve, table, worst } from './partitioned.js';

@@ -4,7 +4,7 @@
  */
 import { expect, test } from 'vitest';
 import { createRandom } from '../../../src/kinematics/random.js';
-import { solveTurns } from '../../../src/kinematics/wristTurns.js';
+import { solveTurns } from '../../../src/kinematics/solvers/wristTurns.js';
 import { SEED, runs } from '../../helpers/property.js';
 import { largestDifference, rodrigues, times, transpose } from './oracle.js';
 

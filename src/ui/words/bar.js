@@ -1,0 +1,16 @@
+/** The bar at the top. */
+
+export const BAR = {
+  chooseRobot: 'Choose a robot',
+  file: 'File',
+  open: 'Open a robot file…',
+  openDetail: 'XML, as this page saves it',
+  save: 'Save the robot as XML',
+  saveDetail: 'Table, limits, recorded postures',
+  undo: 'Undo',
+  redo: 'Redo',
+  theme: 'Colours: light or dark',
+  themeNow: { light: 'Light colours.', dark: 'Dark colours.' },
+  unitsOf: (/** @type {string} */ length, /** @type {string} */ angle) => `${length} · ${angle}`,
+  unitsLabel: 'Units of the document',
+};

@@ -1,0 +1,14 @@
+/** What is said against a number or a query parameter. */
+
+export const NUMBER = {
+  empty: 'A number is needed here, such as 431.8.',
+  comma: (/** @type {string} */ mended) => `Decimals are written with a point: ${mended}.`,
+  notANumber: (/** @type {string} */ text) => `“${text}” is not a number; expected one such as 431.8.`,
+  tooLarge: 'The number is too large; at most 1e9.',
+};
+
+export const PARAMETER = {
+  notUnderstood: (/** @type {string} */ name, /** @type {string} */ text, /** @type {string} */ initial) =>
+    `?${name}=${text} is not understood; using ${initial}.`,
+  unknown: (/** @type {string} */ name) => `There is no ?${name} parameter.`,
+};

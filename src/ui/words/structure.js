@@ -1,0 +1,49 @@
+/** Joints, units and convention of the whole table. */
+
+export const STRUCTURE = {
+  menu: (/** @type {string} */ joint) => `${joint}: type, place, remove`,
+  menuOf: (/** @type {number} */ joint, /** @type {string} */ type) => `Joint ${joint}, ${type}: change or add`,
+  add: 'Add joint',
+  type: {
+    revolute: 'Turns (revolute)',
+    prismatic: 'Slides (prismatic)',
+    continuous: 'Turns without end (continuous)',
+  },
+  clears: 'Its limits, home and controller values are cleared.',
+  clearsLimits: 'Its limits are cleared.',
+  typed: {
+    revolute: (/** @type {string} */ joint) => `${joint} turns now.`,
+    prismatic: (/** @type {string} */ joint) => `${joint} slides now.`,
+    continuous: (/** @type {string} */ joint) => `${joint} turns without end now.`,
+  },
+  addAfter: (/** @type {string} */ joint) => `Add a joint after ${joint}`,
+  added: (/** @type {string} */ joint) => `${joint} is added. Its zeros do not move the arm yet.`,
+  duplicate: (/** @type {string} */ joint) => `Duplicate ${joint}`,
+  duplicated: (/** @type {string} */ joint, /** @type {string} */ copy) =>
+    `${copy} is a copy of ${joint}, at its home.`,
+  up: (/** @type {string} */ joint) => `Move ${joint} up`,
+  down: (/** @type {string} */ joint) => `Move ${joint} down`,
+  moved: (/** @type {string} */ joint, /** @type {number} */ place) => `${joint} is joint ${place} now.`,
+  remove: (/** @type {string} */ joint) => `Remove ${joint}`,
+  removed: (/** @type {string} */ joint) => `${joint} is removed, and its value in every recorded posture.`,
+  unitsHint: 'Converts the numbers; the robot stays.',
+  unit: (/** @type {string} */ name, /** @type {string} */ sign) =>
+    `${name[0].toUpperCase()}${name.slice(1)} (${sign})`,
+  converted: (/** @type {string} */ unit) => `The numbers are in ${unit} now; the robot is the same.`,
+  convention: 'Convention:',
+  conventionName: { standard: 'standard', modified: 'modified (Craig)' },
+  conventionDetail: {
+    standard: 'Frame i sits at the far end of link i.',
+    modified: 'Frame i sits on the axis of joint i.',
+  },
+  convert: (/** @type {string} */ name) => `Convert to ${name}`,
+  convertDetail: 'Same robot, other numbers. The arm does not move.',
+  convertedTo: (/** @type {string} */ name) =>
+    `Converted to ${name}: other numbers, the same robot; the arm has not moved.`,
+  baseChanged: 'The base changed with the table.',
+  toolChanged: 'The tool changed with the table.',
+  reread: (/** @type {string} */ name) => `Read the numbers as ${name}`,
+  rereadDetail: (/** @type {string} */ distance) => `Same numbers, another robot. The tool jumps by ${distance}.`,
+  rereadAs: (/** @type {string} */ name, /** @type {string} */ distance) =>
+    `The numbers are read as ${name} now: another robot. The tool moved by ${distance}.`,
+};

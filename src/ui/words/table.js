@@ -1,0 +1,54 @@
+/** The Denavit–Hartenberg table and its parameters. */
+
+export const TABLE = {
+  title: 'Denavit–Hartenberg table',
+  conventionName: { standard: 'Standard DH', modified: 'Modified DH (Craig)' },
+  conventionOrder: {
+    standard: 'Rz(θ) · Tz(d) · Tx(a) · Rx(α)',
+    modified: 'Rx(α) · Tx(a) · Rz(θ) · Tz(d)',
+  },
+  joint: 'Joint',
+  lower: 'lower',
+  upper: 'upper',
+  jointType: { revolute: 'revolute', prismatic: 'prismatic', continuous: 'continuous' },
+  unlimited: 'none',
+  cell: (/** @type {number} */ joint, /** @type {string} */ field, /** @type {string} */ unit) =>
+    `Joint ${joint}, ${field}, ${unit}`,
+  fieldName: {
+    theta: 'joint angle θ',
+    d: 'link offset d',
+    a: 'link length a',
+    alpha: 'link twist α',
+    lower: 'lower limit',
+    upper: 'upper limit',
+    home: 'home',
+  },
+  unitName: { mm: 'millimetres', cm: 'centimetres', m: 'metres', deg: 'degrees', rad: 'radians' },
+  hint: 'Each row leads from one joint axis to the next. Choose a cell to see what it means and change it.',
+  source: 'Source',
+  kept: 'Kept as it was:',
+};
+
+/** What a parameter is, by convention; i counts joints from 1. */
+export const DEFINITION = {
+  standard: {
+    theta: (/** @type {number} */ i) => `Joint angle: from axis x${sub(i - 1)} to x${sub(i)}, about z${sub(i - 1)}.`,
+    d: (/** @type {number} */ i) => `Link offset: from x${sub(i - 1)} to x${sub(i)}, along z${sub(i - 1)}.`,
+    a: (/** @type {number} */ i) => `Link length: from axis z${sub(i - 1)} to axis z${sub(i)}, along x${sub(i)}.`,
+    alpha: (/** @type {number} */ i) => `Link twist: from axis z${sub(i - 1)} to axis z${sub(i)}, about x${sub(i)}.`,
+  },
+  modified: {
+    theta: (/** @type {number} */ i) => `Joint angle: from axis x${sub(i - 1)} to x${sub(i)}, about z${sub(i)}.`,
+    d: (/** @type {number} */ i) => `Link offset: from x${sub(i - 1)} to x${sub(i)}, along z${sub(i)}.`,
+    a: (/** @type {number} */ i) => `Link length: from axis z${sub(i - 1)} to axis z${sub(i)}, along x${sub(i - 1)}.`,
+    alpha: (/** @type {number} */ i) =>
+      `Link twist: from axis z${sub(i - 1)} to axis z${sub(i)}, about x${sub(i - 1)}.`,
+  },
+  variable: (/** @type {number} */ i) => `This is the constant part; the joint value q${sub(i)} adds to it.`,
+  lower: 'The joint value may not go below this.',
+  upper: 'The joint value may not go above this.',
+  home: 'Where the joint stands at home.',
+};
+
+/** @param {number} index */
+const sub = (index) => [...String(index)].map((digit) => '₀₁₂₃₄₅₆₇₈₉'[Number(digit)]).join('');

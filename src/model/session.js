@@ -14,6 +14,7 @@
  * @property {Panel} panel      the one that is open, where the screen has room for one only
  * @property {Tab} tab          the one that is open on the left, where there is room for both sides
  * @property {{ readonly joint: number, readonly field: JointField } | null} cell  of the DH table, being edited
+ * @property {{ readonly joint: number, readonly field: JointField } | null} pointedCell  likewise, under the pointer
  * @property {number | null} heldJoint  the joint whose slider is in the hand
  * @property {readonly number[] | null} target  X Y Z W P R in document units; null while it follows the tool
  * @property {AimAnswer | null} answer  what inverse kinematics said to the target
@@ -33,7 +34,16 @@ import { refusal } from './refusals.js';
 import { cancelGesture, endGesture, record, redo, startHistory, undo } from './history.js';
 
 /** @type {Session} */
-const FRESH = { panel: 'jog', tab: 'robot', cell: null, heldJoint: null, target: null, answer: null, edition: 0 };
+const FRESH = {
+  panel: 'jog',
+  tab: 'robot',
+  cell: null,
+  pointedCell: null,
+  heldJoint: null,
+  target: null,
+  answer: null,
+  edition: 0,
+};
 
 /** @param {Doc} doc @returns {AppState} */
 export const startState = (doc) => ({ ...startHistory(deepFreeze(doc)), session: FRESH });

@@ -29,6 +29,37 @@ import { identity, requirePose } from './pose.js';
 import { measureReach } from './reach.js';
 
 /**
+ * What a chain hands out as a copy: a typed array cannot be frozen, but a copy can be spoilt without harm. On a prototype,
+ * since an object with getters of its own is looked up in as in a dictionary, at every use.
+ */
+class CheckedChain {
+  #base;
+  #tool;
+
+  /** @param {Omit<Chain, 'base' | 'tool'>} found @param {Pose} base @param {Pose} tool */
+  constructor({ convention, joints, dof, shoulder, reach, characteristicLength, packed }, base, tool) {
+    this.convention = convention;
+    this.joints = joints;
+    this.dof = dof;
+    this.shoulder = shoulder;
+    this.reach = reach;
+    this.characteristicLength = characteristicLength;
+    this.packed = packed;
+    this.#base = base;
+    this.#tool = tool;
+    Object.freeze(this);
+  }
+
+  get base() {
+    return this.#base.slice();
+  }
+
+  get tool() {
+    return this.#tool.slice();
+  }
+}
+
+/**
  * Throws if the description is not of a chain: that is a caller's mistake; a person's has been turned into an issue before.
  * @param {ChainDescription} description
  * @returns {Readonly<Chain>}
@@ -43,18 +74,6 @@ export function createChain({ convention, base = identity(), tool = identity(), 
   const ownTool = Float64Array.from(requirePose(tool, 'the tool'));
   const ownJoints = Object.freeze(joints.map(checkedJoint));
   const packed = pack(convention, ownJoints, ownBase, ownTool);
-  return Object.freeze({
-    convention,
-    // A typed array cannot be frozen; a copy can be spoilt without harm.
-    get base() {
-      return ownBase.slice();
-    },
-    get tool() {
-      return ownTool.slice();
-    },
-    joints: ownJoints,
-    dof: ownJoints.length,
-    ...measureReach(packed),
-    packed,
-  });
+  const measures = measureReach(packed);
+  return new CheckedChain({ convention, joints: ownJoints, dof: joints.length, ...measures, packed }, ownBase, ownTool);
 }

@@ -36,6 +36,7 @@
  */
 import { proposePostures, solveEveryPosture } from './everyPosture.js';
 import { tcpPose } from './forward.js';
+import { copy } from './descent/search.js';
 import { createHunt, seekFrom, seekInside, seekOutside, seekPlace, settle, tryFirst } from './descent/hunt.js';
 import { checkedOptions } from './descent/inverseOptions.js';
 import { lesserTasks, uprightOf } from './descent/lesserTasks.js';
@@ -110,8 +111,13 @@ export function inverseKinematics(chain, T_base_goal, options = {}) {
   const hunt = createHunt(chain, requirePose(T_base_goal, 'the goal'), settings);
   const isMet = tryFirst(hunt);
   if (isMet && settings.descentsOnly) {
-    const { isPose, result } = judge(hunt, settings, hunt.search.q.slice(), 'pose');
-    if (isPose) return { status: 'converged', ...result };
+    const q = new Float64Array(chain.dof);
+    copy(hunt.search.q, q);
+    const { isPose, result } = judge(hunt, settings, q, 'pose');
+    if (isPose) {
+      const { positionError, orientationError, iterations, restarts } = result;
+      return { status: 'converged', q, positionError, orientationError, iterations, restarts };
+    }
   }
   return goOn(hunt, settings, isMet);
 }

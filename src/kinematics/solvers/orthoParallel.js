@@ -2,7 +2,7 @@
  * The eight postures of the arm that nearly every factory has: axis 2 square to axis 1, axis 3 parallel to axis 2,
  * axes 4, 5 and 6 meeting in one point, 4 square to 3, 5 to 4 and 6 to 5. With offsets of the shoulder, the elbow and
  * to the side it is the "ortho-parallel basis with spherical wrist" of Brandstötter, Angerer and Hofbaur (2014):
- * seven lengths, all solved alike. Written for speed: no allocation, about twenty arc tangents for eight postures.
+ * seven lengths, all solved alike. Written for speed: no allocation, and the twenty arc tangents of eight postures at once.
  *
  * The arm's plane is the vertical one square to axis 2; x points in it away from axis 1, y along axis 2, z along axis
  * 1. Angles in it count from z to x, the way that axis 2 turns.
@@ -30,6 +30,7 @@
  * @property {number} onAxis     what is nearer to axis 1 than this is on it, m
  * @property {number} folded     likewise to axis 2
  */
+import { writeArcTangents } from '../arcTangents.js';
 import { cross, dot, minus, nearestTo, norm } from '../lines.js';
 
 /**
@@ -112,8 +113,7 @@ export function recogniseOrthoParallel({ dof, slides, axes, points, home, length
  * @returns {number}
  */
 export function writeOrthoParallelPostures(arm, T_start_goal, out) {
-  const { heading, side, shoulderX, shoulderZ, upper, fore, upperAngle, elbowAngle, sense3, onAxis, folded } = arm;
-  const { cosine4, sine4, angle4, angle5, centre, hand } = arm;
+  const { side, shoulderX, shoulderZ, upper, fore, onAxis, folded, cosine4, sine4, centre, hand } = arm;
   const r00 = T_start_goal[0];
   const r10 = T_start_goal[1];
   const r20 = T_start_goal[2];
@@ -177,8 +177,10 @@ export function writeOrthoParallelPostures(arm, T_start_goal, out) {
     const scale1 = 1 / Math.sqrt(cosine1 * cosine1 + sine1 * sine1);
     cosine1 *= scale1;
     sine1 *= scale1;
-    const q1 = Math.atan2(sine1, cosine1) - heading;
-    const angle3 = Math.atan2(bend, C);
+    sines[JOINT_1 + back / 4] = sine1;
+    cosines[JOINT_1 + back / 4] = cosine1;
+    sines[JOINT_3 + back / 4] = bend;
+    cosines[JOINT_3 + back / 4] = C;
     // Of the hand: along x and y of the arm's plane
     const zx = cosine1 * z0 + sine1 * z1;
     const zy = cosine1 * z1 - sine1 * z0;
@@ -197,8 +199,6 @@ export function writeOrthoParallelPostures(arm, T_start_goal, out) {
       const scale2 = 1 / Math.sqrt(cosine2 * cosine2 + sine2 * sine2);
       cosine2 *= scale2;
       sine2 *= scale2;
-      const q2 = Math.atan2(sine2, cosine2) - upperAngle;
-      const q3 = sense3 * ((down === 0 ? angle3 : -angle3) - elbowAngle);
       const cosine3 = cosine2 * C - sine2 * S;
       const sine3 = sine2 * C + cosine2 * S;
       // Axis 4 in the plane, then axis 6 seen from it: x across, y as ever, z along axis 4
@@ -207,11 +207,11 @@ export function writeOrthoParallelPostures(arm, T_start_goal, out) {
       const gx = eZ * zx - eX * z2;
       const gz = eX * zx + eZ * z2;
       const sine5 = Math.sqrt(gx * gx + zy * zy);
-      const k = back + down;
+      const pair = (back + down) / 2;
       let c4 = 1;
       let s4 = 0;
       if (sine5 < TOLERANCE) {
-        bits |= 0x100 << (k >> 1);
+        bits |= 0x100 << pair;
       } else {
         c4 = gx / sine5;
         s4 = zy / sine5;
@@ -221,24 +221,62 @@ export function writeOrthoParallelPostures(arm, T_start_goal, out) {
       const v0 = vx * cosine1 - c4 * sine1;
       const v1 = vx * sine1 + c4 * cosine1;
       const v2 = s4 * eX;
-      const q4 = Math.atan2(s4, c4) - angle4;
-      const q5 = Math.atan2(sine5, gz);
-      const q6 = Math.atan2(v0 * x0 + v1 * x1 + v2 * x2, v0 * y0 + v1 * y1 + v2 * y2);
-      let to = 6 * k;
-      out[to++] = q1;
-      out[to++] = q2;
-      out[to++] = q3;
-      out[to++] = q4;
-      out[to++] = q5 - angle5;
-      out[to++] = q6;
-      out[to++] = q1;
-      out[to++] = q2;
-      out[to++] = q3;
-      out[to++] = q4 > 0 ? q4 - Math.PI : q4 + Math.PI;
-      out[to++] = -q5 - angle5;
-      out[to] = q6 > 0 ? q6 - Math.PI : q6 + Math.PI;
-      bits |= 3 << k;
+      sines[JOINT_2 + pair] = sine2;
+      cosines[JOINT_2 + pair] = cosine2;
+      sines[JOINT_4 + pair] = s4;
+      cosines[JOINT_4 + pair] = c4;
+      sines[JOINT_5 + pair] = sine5;
+      cosines[JOINT_5 + pair] = gz;
+      sines[JOINT_6 + pair] = v0 * x0 + v1 * x1 + v2 * x2;
+      cosines[JOINT_6 + pair] = v0 * y0 + v1 * y1 + v2 * y2;
+      bits |= 3 << (back + down);
     }
   }
+  writeArcTangents(sines, cosines, angles);
+  writePostures(arm, bits, out);
   return bits;
+}
+
+/** Where the angles stand: of joints 1 and 3 for the arm ahead and back, of the others for each place of the elbow. */
+const JOINT_1 = 0;
+const JOINT_3 = 2;
+const JOINT_2 = 4;
+const JOINT_4 = 8;
+const JOINT_5 = 12;
+const JOINT_6 = 16;
+const sines = new Float64Array(20);
+const cosines = new Float64Array(20);
+const angles = new Float64Array(20);
+
+/**
+ * The angles that were found, as joint values: each place of the elbow with the wrist as it is, and flipped.
+ * @param {OrthoParallel} arm
+ * @param {number} bits  which postures are there
+ * @param {Float64Array} out
+ */
+function writePostures({ heading, upperAngle, elbowAngle, sense3, angle4, angle5 }, bits, out) {
+  for (let pair = 0; pair < 4; pair++) {
+    if (!(bits & (3 << (2 * pair)))) continue;
+    const back = pair >> 1;
+    const angle3 = angles[JOINT_3 + back];
+    const q1 = angles[JOINT_1 + back] - heading;
+    const q2 = angles[JOINT_2 + pair] - upperAngle;
+    const q3 = sense3 * ((pair & 1 ? -angle3 : angle3) - elbowAngle);
+    const q4 = angles[JOINT_4 + pair] - angle4;
+    const q5 = angles[JOINT_5 + pair];
+    const q6 = angles[JOINT_6 + pair];
+    let to = 12 * pair;
+    out[to++] = q1;
+    out[to++] = q2;
+    out[to++] = q3;
+    out[to++] = q4;
+    out[to++] = q5 - angle5;
+    out[to++] = q6;
+    out[to++] = q1;
+    out[to++] = q2;
+    out[to++] = q3;
+    out[to++] = q4 > 0 ? q4 - Math.PI : q4 + Math.PI;
+    out[to++] = -q5 - angle5;
+    out[to] = q6 > 0 ? q6 - Math.PI : q6 + Math.PI;
+  }
 }

@@ -153,10 +153,19 @@ function goOn(hunt, settings, isFirstMet) {
     return task && isMet ? { status: 'subspace', reason: 'joints', ...result, task } : null;
   }
 
-  /** Of some postures those inside the limits, turned towards the seed, the nearest first. @param {Float64Array[]} postures */
-  function insideByWay(postures) {
-    const inside = postures.filter((q) => writeBestTurns(chain, q, seed));
-    return inside.map((q) => ({ q, way: wayFrom(chain, seed, q) })).sort((a, b) => a.way - b.way);
+  /**
+   * Of some postures those inside the limits, turned towards the seed, and nearer to it than `most`; the nearest first.
+   * @param {Float64Array[]} postures
+   * @param {number} most
+   */
+  function insideByWay(postures, most) {
+    const nearer = [];
+    for (const q of postures) {
+      if (!writeBestTurns(chain, q, seed)) continue;
+      const way = wayFrom(chain, seed, q);
+      if (way < most) nearer.push({ q, way });
+    }
+    return nearer.sort((a, b) => a.way - b.way);
   }
 
   /** The pose that the search has just met; or if the arm's solver knows a posture nearer to the seed, there. @returns {InverseResult | null} */
@@ -165,8 +174,7 @@ function goOn(hunt, settings, isFirstMet) {
     const proposed = first && solver && proposePostures(chain, T_base_goal);
     if (!first || !proposed) return first;
     const way = wayFrom(chain, seed, first.q) - NEARER;
-    for (const near of insideByWay(proposed.postures)) {
-      if (near.way >= way) break;
+    for (const near of insideByWay(proposed.postures, way)) {
       const second = seekFrom(hunt, near.q) ? found() : null;
       if (second && wayFrom(chain, seed, second.q) < way) return second;
     }
@@ -235,7 +243,7 @@ function goOn(hunt, settings, isFirstMet) {
     if (isFirstMet || seekInside(hunt, 'pose', before, 1)) return foundNearest() ?? 'not found';
     const every = solver && solveEveryPosture(chain, T_base_goal, settings);
     if (every) {
-      for (const { q } of insideByWay(every.postures)) {
+      for (const { q } of insideByWay(every.postures, Infinity)) {
         const answer = seekFrom(hunt, q) ? found() : null;
         if (answer) return answer;
       }

@@ -71,8 +71,30 @@ export function compose(T_a_b, T_b_c, out = new Float64Array(16)) {
  * @returns {Pose}
  */
 export function invert(T_a_b, out = new Float64Array(16)) {
-  const [x0, x1, x2, , y0, y1, y2, , z0, z1, z2, , p0, p1, p2] = Array.from(T_a_b);
-  out.set([x0, y0, z0, 0, x1, y1, z1, 0, x2, y2, z2, 0]);
+  const x0 = T_a_b[0];
+  const x1 = T_a_b[1];
+  const x2 = T_a_b[2];
+  const y0 = T_a_b[4];
+  const y1 = T_a_b[5];
+  const y2 = T_a_b[6];
+  const z0 = T_a_b[8];
+  const z1 = T_a_b[9];
+  const z2 = T_a_b[10];
+  const p0 = T_a_b[12];
+  const p1 = T_a_b[13];
+  const p2 = T_a_b[14];
+  out[0] = x0;
+  out[1] = y0;
+  out[2] = z0;
+  out[3] = 0;
+  out[4] = x1;
+  out[5] = y1;
+  out[6] = z1;
+  out[7] = 0;
+  out[8] = x2;
+  out[9] = y2;
+  out[10] = z2;
+  out[11] = 0;
   out[12] = -(x0 * p0 + x1 * p1 + x2 * p2);
   out[13] = -(y0 * p0 + y1 * p1 + y2 * p2);
   out[14] = -(z0 * p0 + z1 * p1 + z2 * p2);

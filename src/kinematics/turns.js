@@ -26,8 +26,10 @@ const AT_LIMIT = 1e-10;
  * @returns {number}
  */
 function bestTurn(packed, i, value, near, slack) {
-  const [low, high] = [packed.lower[i], packed.upper[i]];
+  const low = packed.lower[i];
+  const high = packed.upper[i];
   const turned = isSlide(packed, i) ? value : value + FULL_TURN * Math.round((near - value) / FULL_TURN);
+  if (turned >= low && turned <= high) return turned;
   if (excessOf(packed, i, value).by > slack) return turned;
   if (isSlide(packed, i)) return Math.min(high, Math.max(low, value));
   const most = Math.floor((high + slack - turned) / FULL_TURN);

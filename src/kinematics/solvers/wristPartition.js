@@ -115,8 +115,17 @@ const eight = new Float64Array(48);
 const ALL_EIGHT = 0xff;
 
 /** Those of the eight that are there. @param {number} bits */
-const posturesOf = (bits) =>
-  [0, 1, 2, 3, 4, 5, 6, 7].filter((k) => (bits >> k) & 1).map((k) => eight.slice(6 * k, 6 * k + 6));
+function posturesOf(bits) {
+  /** @type {Float64Array[]} */
+  const postures = [];
+  for (let k = 0; k < 8; k++) {
+    if (((bits >> k) & 1) === 0) continue;
+    const q = new Float64Array(6);
+    for (let i = 0; i < 6; i++) q[i] = eight[6 * k + i];
+    postures.push(q);
+  }
+  return postures;
+}
 
 /**
  * @param {WristPartition} constants

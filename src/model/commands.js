@@ -6,6 +6,7 @@
  *
  * @import { Convention, Doc, JointDoc, JointField, Units } from './document.js'
  * @import { JointCommand } from './jointCommands.js'
+ * @import { RobotCommand } from './robotCommands.js'
  *
  * @typedef {{ type: 'set-joint-field', joint: number, field: JointField, value: number | undefined }
  *   | { type: 'set-joint-value', joint: number, value: number }
@@ -17,13 +18,15 @@
  *   | { type: 'convert-units', units: Units }
  *   | { type: 'convert-convention', convention: Convention }
  *   | { type: 'reinterpret-convention', convention: Convention }
- *   | JointCommand} Command
+ *   | JointCommand
+ *   | RobotCommand} Command
  *
  * Converting keeps the robot and changes the numbers; reinterpreting keeps the numbers and changes the robot.
  */
 import { convertConvention } from './convertConvention.js';
 import { convertUnits } from './convertUnits.js';
 import { applyJointCommand } from './jointCommands.js';
+import { applyRobotCommand } from './robotCommands.js';
 
 /**
  * @param {Doc} doc
@@ -73,6 +76,13 @@ export function applyCommand(doc, command) {
     case 'move-joint':
     case 'set-joint-type':
       return applyJointCommand(doc, command);
+    case 'set-base':
+    case 'set-tool':
+    case 'set-link':
+    case 'set-joint-rate':
+    case 'rename-robot':
+    case 'set-robot-info':
+      return applyRobotCommand(doc, command);
     default:
       return assertNever(command);
   }

@@ -158,8 +158,9 @@ function sum(a, b) {
 /** Radians are not decimals: rounding would make π of no two halves. @param {number} a @param {number} b @param {AngleUnit} angle */
 const sumOfAngles = (a, b, angle) => (angle === 'deg' ? sum(a, b) : a + b);
 
-/** By way of degrees, where a right angle is a round number. @param {number} radians @param {AngleUnit} angle */
-const readAngle = (radians, angle) => convertAngle(tidy(convertAngle(radians, 'rad', 'deg'), HALF_TURN), 'deg', angle);
+/** An angle of the kernel in the document's unit, without noise: by way of degrees, where a right angle is a round number. @param {number} radians @param {AngleUnit} angle */
+export const readAngle = (radians, angle) =>
+  convertAngle(tidy(convertAngle(radians, 'rad', 'deg'), HALF_TURN), 'deg', angle);
 
 /** Without the noise that lies below the last digits of what a number was computed from. @param {number} value @param {number} scale */
 function tidy(value, scale) {

@@ -9,6 +9,7 @@ import { MAX_POSTURES } from './document.js';
 import { CONVENTIONS, ID_PATTERN, PRESENT_POSTURE_ID } from './documentRules.js';
 import { jointRefusal } from './jointRefusals.js';
 import { badChoice, badIndex, badNumber, issue, shown } from './refusalParts.js';
+import { robotRefusal } from './robotRefusals.js';
 import { unitsRefusal, baseAndToolRefusal } from './convertRefusals.js';
 
 /** @type {Record<JointField, string>} */
@@ -68,6 +69,13 @@ export function refusal(doc, command) {
     case 'move-joint':
     case 'set-joint-type':
       return jointRefusal(robot.joints, command);
+    case 'set-base':
+    case 'set-tool':
+    case 'set-link':
+    case 'set-joint-rate':
+    case 'rename-robot':
+    case 'set-robot-info':
+      return robotRefusal(doc, command);
     default:
       return null;
   }

@@ -16,6 +16,7 @@
  * @property {{ readonly joint: number, readonly field: JointField } | null} cell  of the DH table, being edited
  * @property {{ readonly joint: number, readonly field: JointField } | null} pointedCell  likewise, under the pointer
  * @property {number | null} heldJoint  the joint whose slider is in the hand
+ * @property {number | null} openJoint  the joint whose limits, home and link are open below the table
  * @property {readonly number[] | null} target  X Y Z W P R in document units; null while it follows the tool
  * @property {AimAnswer | null} answer  what inverse kinematics said to the target
  * @property {number} edition   counts how often the document was exchanged for another (opened, undone), not edited
@@ -40,6 +41,7 @@ const FRESH = {
   cell: null,
   pointedCell: null,
   heldJoint: null,
+  openJoint: null,
   target: null,
   answer: null,
   edition: 0,
@@ -90,9 +92,11 @@ function settle(state, history, next) {
   const { robot } = next.doc;
   const old = history.doc.robot;
   if (robot === old) return { ...next, session };
-  const sameShape = robot.joints.length === old.joints.length && robot.units === old.units && robot.name === old.name;
+  const isOther = robot.name !== old.name && robot.joints !== old.joints; // a new name alone makes no other robot
+  const sameShape = robot.joints.length === old.joints.length && robot.units === old.units && !isOther;
   const { panel, tab, edition } = session;
-  return { ...next, session: sameShape ? { ...session, answer: null } : { ...FRESH, panel, tab, edition } };
+  const openJoint = session.openJoint === null ? null : Math.min(session.openJoint, robot.joints.length - 1);
+  return { ...next, session: sameShape ? { ...session, answer: null } : { ...FRESH, panel, tab, edition, openJoint } };
 }
 
 /** @param {AppState} state @param {AppState} before @returns {AppState} */

@@ -23,6 +23,56 @@ const anyWordOf = (...words) =>
     { weight: 1, arbitrary: fc.constantFrom('', '__proto__', 'toString').map((word) => /** @type {Word} */ (word)) },
   );
 
+const anyNumbers = (/** @type {number} */ n) => fc.array(anyNumber, { minLength: n - 1, maxLength: n });
+const anyPose = fc.oneof(
+  fc.record({ xyz: anyNumbers(3), rpy: anyNumbers(3) }),
+  fc.record({ xyz: anyNumbers(3), quaternion: anyNumbers(4) }),
+  fc.record({
+    xyz: fc.constant([0, -0, 100]),
+    quaternion: fc.constantFrom([0, 0, 0, 1], [0, 0, 0.6, 0.8], [1, 0, 0, 1]),
+  }),
+  fc.constant(/** @type {import('../../../src/model/document.js').PoseDoc} */ (/** @type {unknown} */ (null))),
+);
+const anyLink = fc.record(
+  {
+    kind: anyWordOf('auto', 'cylinder', 'box', 'none'),
+    radius: anyNumber,
+    width: anyNumber,
+    height: anyNumber,
+    color: fc.constantFrom('#ffcc00', '#FFF', 'red', ''),
+  },
+  { requiredKeys: ['kind'] },
+);
+const anyText = fc.oneof(fc.constantFrom('', 'arm', '__proto__'), fc.string({ maxLength: 300 }));
+
+/** Commands about the robot beside its table. */
+const anyRobotCommand = fc.oneof(
+  fc.record({
+    type: fc.constantFrom(/** @type {const} */ ('set-base'), /** @type {const} */ ('set-tool')),
+    pose: anyPose,
+    gesture: anyGesture,
+  }),
+  fc.record({
+    type: fc.constant(/** @type {const} */ ('set-link')),
+    joint: anyJoint,
+    link: anyLink,
+    gesture: anyGesture,
+  }),
+  fc.record({
+    type: fc.constant(/** @type {const} */ ('set-joint-rate')),
+    joint: anyJoint,
+    rate: anyWordOf('velocity', 'acceleration', 'jerk', 'effort'),
+    value: fc.option(anyNumber, { nil: undefined }),
+    gesture: anyGesture,
+  }),
+  fc.record({ type: fc.constant(/** @type {const} */ ('rename-robot')), name: anyText }),
+  fc.record({
+    type: fc.constant(/** @type {const} */ ('set-robot-info')),
+    field: anyWordOf('manufacturer', 'author', 'licence', 'source', 'description'),
+    text: anyText,
+  }),
+);
+
 /** Sensible and senseless ones. @type {import('fast-check').Arbitrary<Action>} */
 export const anyAction = fc.oneof(
   fc.record({
@@ -69,6 +119,7 @@ export const anyAction = fc.oneof(
     type: fc.constantFrom(/** @type {const} */ ('convert-convention'), /** @type {const} */ ('reinterpret-convention')),
     convention: anyWordOf('standard', 'modified'),
   }),
+  anyRobotCommand,
   fc.constantFrom(...['undo', 'redo', 'end-gesture', 'cancel-gesture'].map((type) => /** @type {Action} */ ({ type }))),
   fc.record({
     type: fc.constant(/** @type {const} */ ('show')),

@@ -38,6 +38,18 @@ function expectSound({ robot, posture, postures }) {
     expect(lower === undefined || upper === undefined || lower <= upper).toBe(true);
   }
   expect(new Set(postures.map(({ id }) => id)).size).toBe(postures.length);
+  for (const { xyz, rpy, quaternion } of [robot.base, robot.tool]) {
+    expect(xyz).toHaveLength(3);
+    expect([...xyz, ...(rpy ?? []), ...(quaternion ?? [])].every(Number.isFinite)).toBe(true);
+    expect(rpy === undefined || (rpy.length === 3 && quaternion === undefined)).toBe(true);
+    if (quaternion) expect(Math.hypot(...quaternion)).toBeCloseTo(1, 5);
+  }
+  for (const { velocity = 1, acceleration = 1, jerk = 1, effort = 1, link } of robot.joints) {
+    const { radius = 1, width = 1, height = 1, color = '#ffcc00' } = link;
+    for (const value of [velocity, acceleration, jerk, effort, radius, width, height]) expect(value).toBeGreaterThan(0);
+    expect(color).toMatch(/^#[0-9a-f]{6}$/i);
+  }
+  expect(robot.name.length).toBeLessThanOrEqual(400); // 200 characters, each of two units at most
 }
 
 describe('a session', () => {

@@ -1,8 +1,10 @@
 /** How the page is built: relative addresses only, so that the built folder runs from any sub-path of any static host. */
 import { defineConfig } from 'vite';
+import { bootstrapParts } from './scripts/bootstrapParts.mjs';
 
 export default defineConfig({
   base: './',
+  css: { postcss: { plugins: [bootstrapParts()] } },
   build: {
     target: 'es2022',
     sourcemap: true,

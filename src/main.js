@@ -11,7 +11,6 @@ import './ui/css/tokens.css';
 import './ui/css/base.css';
 import './ui/css/table.css';
 import './ui/css/panels.css';
-import './ui/css/program.css';
 import './ui/css/view.css';
 import './ui/css/dialogs.css';
 import './ui/css/layout.css';
@@ -32,14 +31,13 @@ import { createAimPanel } from './ui/aimPanel.js';
 import { createAnnouncer } from './ui/announce.js';
 import { createBar } from './ui/bar.js';
 import { createBrowserClock, today } from './ui/browserClock.js';
-import { createCodePanel } from './ui/codePanel.js';
 import { createDhTable } from './ui/dhTable.js';
 import { createFiles } from './ui/files.js';
 import { createJogPanel } from './ui/jogPanel.js';
+import { lazyPanel } from './ui/lazyPanel.js';
 import { createMessages } from './ui/messages.js';
 import { createOpener } from './ui/opener.js';
 import { createPosePanel } from './ui/posePanel.js';
-import { createProgramPanel } from './ui/programPanel.js';
 import { createScripting } from './ui/scripting.js';
 import { createShell, runPanels } from './ui/shell.js';
 import { createShortcuts } from './ui/shortcuts.js';
@@ -88,8 +86,24 @@ function stand(robot) {
   createBar(page, shell.bar, { files, theme });
   runPanels(page, shell);
   createDhTable(page, shell.tabs.robot);
-  createProgramPanel(page, shell.tabs.program);
-  createCodePanel(page, shell.tabs.code, { version, today });
+  lazyPanel(
+    page,
+    shell.tabs.program,
+    ({ tab }) => tab === 'program',
+    async () => {
+      const { createProgramPanel } = await import('./ui/programPanel.js');
+      return (host) => createProgramPanel(page, host);
+    },
+  );
+  lazyPanel(
+    page,
+    shell.tabs.code,
+    ({ tab }) => tab === 'code',
+    async () => {
+      const { createCodePanel } = await import('./ui/codePanel.js');
+      return (host) => createCodePanel(page, host, { version, today });
+    },
+  );
   createJogPanel(page, shell.jog);
   const pose = createPosePanel(page, shell.pose);
   createAimPanel(page, shell.aim);

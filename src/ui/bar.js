@@ -7,10 +7,10 @@
  * @import { Theme } from './theme.js'
  */
 import $ from 'jquery/slim';
-import Dropdown from 'bootstrap/js/src/dropdown.js';
 import { fill, h, spoken } from './dom.js';
 import { icon } from './icons.js';
 import { typesOf } from './jointTypes.js';
+import { giveMenu } from './menus.js';
 import { step } from './page.js';
 import { TEXT } from './strings.js';
 import { createUnitsMenu } from './unitsMenu.js';
@@ -81,17 +81,12 @@ const iconButton = (name, label) =>
  * @param {HTMLElement[]} items
  */
 function menu(content, items) {
-  const button = h(
-    'button',
-    { type: 'button', class: 'btn', 'data-bs-toggle': 'dropdown', 'aria-expanded': 'false' },
-    content,
-    icon('caret', 'caret'),
-  );
+  const button = h('button', { type: 'button', class: 'btn' }, content, icon('caret', 'caret'));
   const list = h('ul', { class: 'dropdown-menu menu' }, items);
   const dropdown = h('div', { class: 'dropdown' }, button, list); // Bootstrap looks for the list beside the button
   // What an item opens may take the focus; if nothing does, it goes back to where the menu was opened.
   list.addEventListener('click', () => button.focus());
-  new Dropdown(button, { popperConfig: { strategy: 'fixed' } });
+  giveMenu(button);
   return dropdown;
 }
 

@@ -10,9 +10,9 @@
  *
  * @typedef {readonly Choice[]} Group
  */
-import Dropdown from 'bootstrap/js/src/dropdown.js';
 import { fill, h } from './dom.js';
 import { icon } from './icons.js';
+import { giveMenu } from './menus.js';
 
 /**
  * @param {HTMLButtonElement} button
@@ -23,8 +23,6 @@ import { icon } from './icons.js';
  * @returns {HTMLElement} the button with its menu
  */
 export function withChoices(button, choices, { className = '', inset = 0 } = {}) {
-  button.dataset.bsToggle = 'dropdown';
-  button.setAttribute('aria-expanded', 'false');
   const list = h('ul', { class: 'dropdown-menu menu choices' });
   const dropdown = h('div', { class: `dropdown ${className}`.trim() }, button, list); // Bootstrap looks for the list beside the button
   button.addEventListener('show.bs.dropdown', () => {
@@ -40,7 +38,7 @@ export function withChoices(button, choices, { className = '', inset = 0 } = {})
   });
   // What a choice does may take the focus; if nothing does, it goes back to where the menu was opened.
   list.addEventListener('click', () => button.focus());
-  new Dropdown(button, { offset: [inset, 2], popperConfig: { strategy: 'fixed' } });
+  giveMenu(button, [inset, 2]);
   return dropdown;
 }
 

@@ -9,6 +9,7 @@ import $ from 'jquery/slim';
 import { memo } from '../model/memo.js';
 import { together } from '../model/views.js';
 import { copyText } from './clipboard.js';
+import './css/program.css';
 import { fill, h, keepFocus } from './dom.js';
 import { download } from './download.js';
 import { emptyState } from './emptyState.js';

@@ -6,6 +6,9 @@ import { h } from './dom.js';
 import { icon } from './icons.js';
 import { TEXT } from './strings.js';
 
+/** What the browsers say when a script, or a stylesheet it needs, cannot be fetched. */
+const NOT_FETCHED = /dynamically imported module|importing a module script failed|unable to preload css/i;
+
 /** @param {HTMLElement} host */
 export function createMessages(host) {
   /** @param {string} text */
@@ -15,13 +18,18 @@ export function createMessages(host) {
     close.addEventListener('click', () => note.remove());
     host.append(note);
   }
+  /** @param {unknown} error */
+  function fault(error) {
+    const message = error instanceof Error ? error.message : String(error);
+    console.error(error);
+    banner(NOT_FETCHED.test(message) ? TEXT.notFetchedNow : TEXT.fault(message));
+  }
+  window.addEventListener('unhandledrejection', ({ reason }) => fault(reason));
   return {
     warn: banner,
-    /** @param {unknown} error */
-    fault(error) {
-      console.error(error);
-      banner(TEXT.fault(error instanceof Error ? error.message : String(error)));
-    },
+    fault,
+    /** For a fault that is said elsewhere. @param {unknown} error */
+    log: (error) => console.error(error),
   };
 }
 

@@ -6,6 +6,7 @@
  */
 import $ from 'jquery/slim';
 import { together } from '../model/views.js';
+import './css/program.css';
 import { fill, h, keepFocus } from './dom.js';
 import { emptyState } from './emptyState.js';
 import { jointNumber, unitOf, withUnit } from './format.js';

@@ -22,6 +22,12 @@ export const TEXT = {
   title: (/** @type {string} */ robot) => `${robot} · Denavit`,
   close: 'Close',
   fault: (/** @type {string} */ message) => `Something broke here: ${message} The rest of the page goes on working.`,
+  fetching: 'One moment…',
+  notFetched: 'This part of the page could not be fetched',
+  notFetchedDetail:
+    'Everything else goes on working. Look whether the connection stands; if it does, save the robot and load the page again.',
+  notFetchedNow: 'A part of the page could not be fetched. Look whether the connection stands, then try again.',
+  tryAgain: 'Try again',
   noWebGl:
     'This browser shows no 3-D graphics (WebGL is off or missing), so the arm cannot be drawn. The table, the joints and the poses go on working.',
   done: { undo: 'Undone.', redo: 'Done again.' },

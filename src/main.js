@@ -17,16 +17,13 @@ import './ui/css/layout.css';
 import { version } from '../package.json';
 import { SCHEMA, readQueryParameters } from './io/queryParameters.js';
 import { createManualClock } from './model/clock.js';
-import { isAtAnswer, poseFromXyzwpr } from './model/aim.js';
-import { compileLinkStyles } from './model/compile.js';
 import { createDerived } from './model/derived.js';
-import { memo } from './model/memo.js';
 import { newDocument } from './model/newDocument.js';
 import { reduce, startState } from './model/session.js';
 import { FIRST_ROBOT, firstRobot, loadRobot } from './model/shelf.js';
 import { createStore } from './model/store.js';
-import { createViews, together } from './model/views.js';
-import { createStage } from './render/stage.js';
+import { createViews } from './model/views.js';
+import { createRobotView } from './render/robotView.js';
 import { createAimPanel } from './ui/aimPanel.js';
 import { createAnnouncer } from './ui/announce.js';
 import { createBar } from './ui/bar.js';
@@ -44,9 +41,6 @@ import { createShortcuts } from './ui/shortcuts.js';
 import { TEXT } from './ui/strings.js';
 import { createTheme } from './ui/theme.js';
 import { createViewPanel } from './ui/viewPanel.js';
-
-/** An arm with a reach this much larger or smaller (as a logarithm: half as much again) is another one to the eye. */
-const OTHER_SIZE = Math.log(1.5);
 
 const { values: parameters, refused } = readQueryParameters(location.search, SCHEMA);
 const manualClock = parameters.clock === 'manual' ? createManualClock() : null;
@@ -110,41 +104,20 @@ function stand(robot) {
   createShortcuts(page, files);
   const view = createViewPanel(page, shell.view, { poseInWords: pose.inWords });
 
-  const stage = createStage({
+  const calm = matchMedia('(prefers-reduced-motion: reduce)');
+  const stage = createRobotView(page, {
     host: view.stageHost,
-    clock,
     quality: parameters.quality,
     text: view.text,
+    isCalm: () => calm.matches,
     onGridStep: view.showGridStep,
+    onDraw: view.showViewpoint,
+    onLook: view.look,
     onError: messages.fault,
   });
   if (stage) {
-    const linkStyles = memo(compileLinkStyles);
-    view.surround(stage.canvas, () => stage.fit());
+    view.surround(stage);
     theme.onChange(stage.setTheme);
-    let shown = { edition: 0, name: '', reach: 0 };
-    addView(
-      together(({ doc, session }) => [doc.robot, doc.posture, session.edition]),
-      ([robot, , edition]) => {
-        const chain = derived.chain(store.state.doc);
-        stage.showArm(chain, linkStyles(robot));
-        stage.showPosture(derived.posture(store.state.doc));
-        // Another arm is brought into the picture; one whose table is edited stays where the person looks at it.
-        const isOther = robot.name !== shown.name || Math.abs(Math.log(chain.reach / shown.reach)) > OTHER_SIZE;
-        if (edition !== shown.edition && isOther) stage.fit();
-        shown = { edition, name: robot.name, reach: chain.reach };
-      },
-    );
-    addView(({ session }) => session.cell?.joint ?? session.heldJoint, stage.highlightJoint);
-    addView(({ session }) => session.heldJoint, stage.holdJoint);
-    addView(
-      together(({ doc, session }) => [doc.robot, session.target, doc.posture, session.answer]),
-      ([robot, target, posture, answer]) => {
-        // What is missing is drawn where the arm has gone as near as it can, not where it merely stands.
-        const isAtNearest = answer !== null && !answer.isMet && isAtAnswer(answer, posture);
-        stage.showTarget(target && poseFromXyzwpr(robot, target), { reached: !isAtNearest });
-      },
-    );
   } else {
     view.sayWhyEmpty();
   }

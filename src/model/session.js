@@ -10,6 +10,10 @@
  * @typedef {'robot' | 'program' | 'code'} Tab
  * @typedef {Tab | 'jog' | 'aim'} Panel
  *
+ * @typedef {'none' | 'ends' | 'row' | 'all'} FramesShown  ends: base and tool; row: the two of the selected row
+ * @typedef {{ readonly joint: number, readonly at: number, readonly goal: number }} BuildUp
+ *   0 … 4: of the row's motions so many are done, the last perhaps in part, and so many are wanted
+ *
  * @typedef {object} Session
  * @property {Panel} panel      the one that is open, where the screen has room for one only
  * @property {Tab} tab          the one that is open on the left, where there is room for both sides
@@ -19,6 +23,9 @@
  * @property {number | null} openJoint  the joint whose limits, home and link are open below the table
  * @property {readonly number[] | null} target  X Y Z W P R in document units; null while it follows the tool
  * @property {AimAnswer | null} answer  what inverse kinematics said to the target
+ * @property {FramesShown} frames   of the scene; this and the next stay when another document is opened
+ * @property {'perspective' | 'parallel'} projection
+ * @property {BuildUp | null} build  how a row of the table makes a frame from the one before, being shown
  * @property {number} edition   counts how often the document was exchanged for another (opened, undone), not edited
  *
  * @typedef {History & { readonly session: Session }} AppState
@@ -44,6 +51,9 @@ const FRESH = {
   openJoint: null,
   target: null,
   answer: null,
+  frames: 'ends',
+  projection: 'perspective',
+  build: null,
   edition: 0,
 };
 
@@ -94,9 +104,10 @@ function settle(state, history, next) {
   if (robot === old) return { ...next, session };
   const isOther = robot.name !== old.name && robot.joints !== old.joints; // a new name alone makes no other robot
   const sameShape = robot.joints.length === old.joints.length && robot.units === old.units && !isOther;
-  const { panel, tab, edition } = session;
+  const { panel, tab, edition, frames, projection } = session;
   const openJoint = session.openJoint === null ? null : Math.min(session.openJoint, robot.joints.length - 1);
-  return { ...next, session: sameShape ? { ...session, answer: null } : { ...FRESH, panel, tab, edition, openJoint } };
+  const kept = { panel, tab, edition, frames, projection, openJoint };
+  return { ...next, session: sameShape ? { ...session, answer: null } : { ...FRESH, ...kept } };
 }
 
 /** @param {AppState} state @param {AppState} before @returns {AppState} */

@@ -33,3 +33,21 @@ export function fitCamera(points, { right, up, back }, { tanX, tanY }) {
   const z = Math.max((east + west) / (2 * tanX), (north + south) / (2 * tanY));
   return { x: (east - west) / 2, y: (north - south) / 2, z, depth: z - (near + far) / 2 };
 }
+
+/**
+ * The same for a camera that sees in parallel, where what matters is not how far away it is but how wide it sees: at `depth`
+ * the lens would see just as wide.
+ * @param {readonly Vector3[]} points
+ * @param {{ right: Vector3, up: Vector3, back: Vector3 }} axes
+ * @param {Lens} lens
+ * @returns {{ x: number, y: number, z: number, depth: number }}
+ */
+export function fitParallel(points, { right, up, back }, { tanX, tanY }) {
+  const [x, y, z] = [right, up, back].map((axis) => {
+    const along = points.map((point) => point.dot(axis));
+    const [least, most] = [Math.min(...along), Math.max(...along)];
+    return { middle: (least + most) / 2, half: (most - least) / 2 };
+  });
+  const depth = Math.max(x.half / tanX, y.half / tanY);
+  return { x: x.middle, y: y.middle, z: z.middle + depth, depth };
+}

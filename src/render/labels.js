@@ -6,8 +6,14 @@
  * @import { Camera, Object3D } from 'three'
  */
 import { Vector3 } from 'three';
+import { inside, roomFor } from './labelRoom.js';
+
+const SAME_PLACE = 48; // pixels
 
 /**
+ * Text, and symbols as a letter with its index.
+ * @typedef {readonly (string | readonly [letter: string, index: string])[]} LabelText
+ *
  * @typedef {object} Label
  * @property {Vector3} at      where, in the frame of `parent`
  * @property {Object3D | null} parent
@@ -15,7 +21,9 @@ import { Vector3 } from 'three';
  * @property {number} gap
  * @property {boolean} aside          not beyond `at` but beside it, on the upper side
  * @property {boolean} visible
- * @property {(text: string, subscript?: string) => void} write
+ * @property {boolean} yields         it may go farther out or aside, not to lie on another
+ * @property {boolean} stays          inside the picture, if `at` is
+ * @property {(text: string | LabelText) => void} write
  * @property {() => void} remove
  */
 
@@ -31,8 +39,8 @@ export function createLabels(host) {
   layer.setAttribute('aria-hidden', 'true');
   Object.assign(layer.style, { position: 'absolute', inset: '0', overflow: 'hidden', pointerEvents: 'none' });
   host.append(layer);
-  /** @type {Map<Label, HTMLElement>} */
-  const elements = new Map();
+  /** @type {Map<Label, { element: HTMLElement, text: string, width: number, height: number }>} sizes are 0 until asked for */
+  const tags = new Map();
   const point = new Vector3();
   const away = new Vector3();
 
@@ -49,7 +57,7 @@ export function createLabels(host) {
       element.className = `tag ${className}`;
       Object.assign(element.style, { position: 'absolute', left: '0', top: '0', whiteSpace: 'nowrap' });
       layer.append(element);
-      let written = '';
+      const tag = { element, text: '', width: 0, height: 0 };
       /** @type {Label} */
       const label = {
         at: new Vector3(),
@@ -58,35 +66,38 @@ export function createLabels(host) {
         gap: 0,
         aside: false,
         visible: true,
-        write(text, subscript) {
-          if (written === `${text}_${subscript}`) return;
-          written = `${text}_${subscript}`;
-          if (subscript === undefined) {
-            element.textContent = text;
-            return;
-          }
-          const letter = document.createElement('i');
-          const below = document.createElement('sub');
-          letter.textContent = text;
-          below.textContent = subscript;
-          element.replaceChildren(letter, below);
+        yields: false,
+        stays: false,
+        write(text) {
+          const all = JSON.stringify(text);
+          if (tag.text === all) return;
+          tag.text = all;
+          tag.width = 0;
+          const parts = typeof text === 'string' ? [text] : text;
+          element.replaceChildren(...parts.flatMap(nodesOf));
         },
         remove() {
           element.remove();
-          elements.delete(label);
+          tags.delete(label);
         },
       };
-      elements.set(label, element);
+      tags.set(label, tag);
       return label;
     },
 
     place(camera, width, height) {
-      for (const [{ at, parent, from, gap, aside, visible }, { style }] of elements) {
-        project(at, parent, camera, point);
-        const isSeen = visible && point.z < 1;
+      const seen = [...tags].filter(([{ visible, at, parent }, { element }]) => {
+        const isSeen = visible && Math.abs(project(at, parent, camera, point).z) < 1;
         const display = isSeen ? '' : 'none';
-        if (style.display !== display) style.display = display;
-        if (!isSeen) continue;
+        if (element.style.display !== display) element.style.display = display;
+        return isSeen;
+      });
+      // all that is measured before anything is moved, or the browser would lay out the page for each
+      for (const [, tag] of seen) {
+        if (tag.width === 0) [tag.width, tag.height] = [tag.element.offsetWidth, tag.element.offsetHeight];
+      }
+      const places = seen.map(([{ at, parent, from, gap, aside, yields }, size]) => {
+        project(at, parent, camera, point);
         const x = ((point.x + 1) / 2) * width;
         const y = ((1 - point.y) / 2) * height;
         let [east, south] = [0, 0];
@@ -97,12 +108,31 @@ export function createLabels(host) {
           [east, south] = aside ? [dy / distance, -Math.abs(dx) / distance] : [dx / distance, dy / distance];
           if (aside && dx < 0) east = -east;
         }
-        // percentages are of the label's own size: its centre, moved half its size in the direction it keeps away
-        const [left, top] = [(x + gap * east).toFixed(1), (y + gap * south).toFixed(1)];
-        style.transform = `translate(${left}px, ${top}px) translate(${(50 * (east - 1)).toFixed(0)}%, ${(50 * (south - 1)).toFixed(0)}%)`;
-      }
+        return { x, y, east, south, gap, yields, width: size.width, height: size.height };
+      });
+      roomFor(places).forEach((box, i) => {
+        const [{ stays }, { element, text }] = seen[i];
+        // the same name twice in one place, of a frame and of an axis of it, is said once
+        const isSaid =
+          places[i].yields && seen.some(([, other], k) => k < i && other.text === text && near(places[k], places[i]));
+        element.style.display = isSaid ? 'none' : '';
+        const { left, top } = stays ? inside(box, width, height) : box;
+        element.style.transform = `translate(${left.toFixed(1)}px, ${top.toFixed(1)}px)`;
+      });
     },
 
     dispose: () => layer.remove(),
   };
+}
+
+/** @param {{ x: number, y: number }} a @param {{ x: number, y: number }} b */
+const near = (a, b) => Math.hypot(a.x - b.x, a.y - b.y) < SAME_PLACE;
+
+/** @param {LabelText[number]} part @returns {(string | HTMLElement)[]} */
+function nodesOf(part) {
+  if (typeof part === 'string') return [part];
+  const letter = document.createElement('i');
+  const below = document.createElement('sub');
+  [letter.textContent, below.textContent] = part;
+  return [letter, below];
 }

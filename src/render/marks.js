@@ -3,6 +3,7 @@
  *
  * @import { Group, Scene } from 'three'
  * @import { ArmParts } from './armParts.js'
+ * @import { Eye } from './eye.js'
  * @import { Gauge, GaugeText } from './gauge.js'
  * @import { LabelLayer } from './labels.js'
  * @import { Skin } from './skins.js'
@@ -14,7 +15,22 @@
  * @property {Chain} chain
  * @property {ArmParts} parts
  * @property {Float64Array} posture
+ * @property {Float64Array} frames  of linkFrames
  * @property {Pose} T_base_tcp
+ *
+ * @typedef {object} MarkTools  what marks are made with
+ * @property {Scene} scene
+ * @property {(link: number) => Group} linkGroup  where a mark hangs that moves with a link
+ * @property {Skin} skin
+ * @property {LabelLayer} labels
+ *
+ * @typedef {object} MarkSet  marks that come and go together
+ * @property {(arm: ArmNow | null) => void} show  another arm, or the same built anew
+ * @property {() => void} follow  after the arm has moved
+ * @property {() => void} clear   before the arm is taken apart
+ * @property {() => void} build   with any change of what the marks are made of
+ * @property {(skin: Skin) => void} setSkin
+ * @property {(eye: Eye) => void} [face]  before a picture is taken, for what has its size on the screen
  *
  * @typedef {GaugeText & { missing: (metres: number) => string }} MarkText
  * @typedef {{ T_base_target: Pose, reached: boolean }} Target
@@ -22,14 +38,7 @@
 import { createGauge } from './gauge.js';
 import { createTargetMark } from './targetMark.js';
 
-/**
- * @param {object} options
- * @param {Scene} options.scene
- * @param {(link: number) => Group} options.linkGroup  where a mark hangs that moves with a link
- * @param {Skin} options.skin
- * @param {LabelLayer} options.labels
- * @param {MarkText} options.text
- */
+/** @param {MarkTools & { text: MarkText }} options */
 export function createMarks({ scene, linkGroup, skin, labels, text }) {
   /** @type {ArmNow | null} */
   let arm = null;

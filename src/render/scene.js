@@ -3,7 +3,8 @@
  * and the marks about them. It knows neither screen nor camera: `onChange` says that another picture is due, and with
  * `castsAnew` that the shadow is no longer right.
  *
- * @import { ArmNow, MarkText } from './marks.js'
+ * @import { Eye } from './eye.js'
+ * @import { ArmNow, MarkSet, MarkText, MarkTools } from './marks.js'
  * @import { LabelLayer } from './labels.js'
  * @import { LinkStyle } from './linkPieces.js'
  * @import { Skin } from './skins.js'
@@ -26,7 +27,7 @@ const TOOL_ARROW = 0.09;
 
 /**
  * The arm that is built; `posture` has no numbers yet if `isPlaced` is false.
- * @typedef {ArmNow & { styles: readonly LinkStyle[], T_flange_tcp: Pose, frames: Float64Array, isPlaced: boolean }} Shown
+ * @typedef {ArmNow & { styles: readonly LinkStyle[], T_flange_tcp: Pose, isPlaced: boolean }} Shown
  */
 
 /**
@@ -44,24 +45,29 @@ export function createScene({ skin, isLow, labels, text, onChange, onGridStep })
   const floor = createFloor({ skin, isLow });
   const lights = createLights({ skin, isLow });
   const arm = createArmModel({ skin, isLow });
-  const marks = createMarks({ scene, linkGroup: arm.linkGroup, skin, labels, text });
+  const tools = () => ({ scene, linkGroup: arm.linkGroup, skin, labels });
+  const marks = createMarks({ ...tools(), text });
+  /** @type {MarkSet[]} */
+  const sets = [marks];
   const lower = /** @type {const} */ ({ letters: '', letterCase: 'lower', subscript: '0' });
   const upper = /** @type {const} */ ({ letters: 'strong', letterCase: 'upper' });
-  const base = createTriad({ skin, labels, ...lower, width: 2.25, gap: 5, order: 28 });
+  const base = createTriad({ skin, labels, ...lower, width: 2.25, gap: 5, order: 28 }); // frame 0
   const tool = createTriad({ skin, labels, ...upper, width: 2.5, gap: 4, order: 32 });
-  const dot = Object.assign(labels.add('dot'), { parent: tool.group });
+  const dot = Object.assign(labels.add('dot'), { parent: tool.group }); // the TCP, be its frame shown or not
   scene.add(floor.group, lights.group, arm.group, base.group, tool.group);
   /** @type {Shown | null} */
   let shown = null;
   /** @type {number | null} */
   let lit = null;
   let gridStep = 0;
+  const ends = { base: true, tool: true };
   setVisible(false);
 
   /** @param {boolean} isVisible */
   function setVisible(isVisible) {
     arm.group.visible = floor.group.visible = dot.visible = isVisible;
-    for (const triad of [base, tool]) triad.setVisible(isVisible);
+    base.setVisible(isVisible && ends.base);
+    tool.setVisible(isVisible && ends.tool);
   }
 
   /** Everything that follows from where the arm is. @param {Shown} now */
@@ -97,7 +103,7 @@ export function createScene({ skin, isLow, labels, text, onChange, onGridStep })
     showArm(chain, styles) {
       if (shown?.chain === chain && shown.styles === styles) return;
       const isPlaced = shown?.chain.dof === chain.dof && shown.isPlaced; // otherwise the posture was another arm's
-      marks.clear();
+      for (const set of sets) set.clear();
       shown = {
         chain,
         styles,
@@ -110,7 +116,7 @@ export function createScene({ skin, isLow, labels, text, onChange, onGridStep })
       };
       settle(shown);
       if (isPlaced) move(shown);
-      marks.show(isPlaced ? shown : null);
+      for (const set of sets) set.show(isPlaced ? shown : null);
       setVisible(isPlaced);
       onChange({ castsAnew: true });
     },
@@ -123,10 +129,10 @@ export function createScene({ skin, isLow, labels, text, onChange, onGridStep })
       if (isPlaced && posture.every((value, i) => value === q[i])) return;
       posture.set(q);
       move(shown);
-      if (isPlaced) marks.follow();
+      if (isPlaced) for (const set of sets) set.follow();
       else {
         shown.isPlaced = true;
-        marks.show(shown);
+        for (const set of sets) set.show(shown);
         setVisible(true);
       }
       onChange({ castsAnew: true });
@@ -154,16 +160,47 @@ export function createScene({ skin, isLow, labels, text, onChange, onGridStep })
       if (marks.aim(target)) onChange({ castsAnew: false });
     },
 
+    /** Which of the frames at the two ends are drawn. @param {{ base: boolean, tool: boolean }} which */
+    showEnds(which) {
+      if (which.base === ends.base && which.tool === ends.tool) return;
+      Object.assign(ends, which);
+      setVisible(shown?.isPlaced ?? false);
+      onChange({ castsAnew: false });
+    },
+
+    /**
+     * Marks that are fetched when they are first wanted.
+     * @template {MarkSet} Set
+     * @param {(tools: MarkTools) => Set} create
+     * @returns {Set}
+     */
+    addMarks(create) {
+      const set = create(tools());
+      sets.push(set);
+      if (shown?.isPlaced) set.show(shown);
+      onChange({ castsAnew: false });
+      return set;
+    },
+
+    /** Some marks have changed. */
+    touch: () => onChange({ castsAnew: false }),
+
+    /** Before a picture is taken. @param {Eye} eye */
+    face(eye) {
+      for (const set of sets) set.face?.(eye);
+    },
+
     /** Ask for all words again: units or language have changed. */
     rewrite() {
       if (shown) onGridStep(gridStep);
-      marks.build();
+      for (const set of sets) set.build();
       onChange({ castsAnew: false });
     },
 
     /** @param {Skin} next */
     setSkin(next) {
-      for (const each of [floor, lights, arm, base, tool, marks]) each.setSkin(next);
+      skin = next;
+      for (const each of [floor, lights, arm, base, tool, ...sets]) each.setSkin(next);
       onChange({ castsAnew: false });
     },
 
@@ -182,7 +219,7 @@ export function createScene({ skin, isLow, labels, text, onChange, onGridStep })
     },
 
     dispose() {
-      marks.clear();
+      for (const set of sets) set.clear();
       for (const each of [base, tool, arm, floor, lights]) each.dispose();
       dot.remove();
     },

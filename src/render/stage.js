@@ -1,18 +1,21 @@
 /**
  * The 3-D view of an arm, in an element of the page.
  *
- *     const stage = createStage({ host, clock, quality: 'high', text, onGridStep, onError });  // null without WebGL
+ *     const stage = createStage({ host, clock, quality: 'high', text, isCalm, onGridStep, onError });  // null without WebGL
  *     stage.showArm(chain, styles);   // builds; the same chain and styles again cost nothing
  *     stage.showPosture(q);           // only moves
- *     stage.fit();
+ *     stage.look('top');              // or 'home', 'front' …; without a name: the whole arm, as it is seen now
  *
  * It draws at most once a frame, through the clock, and only after something changed: `draws` counts, and the canvas has the
  * number as `data-draws`. It knows no words: `text` is asked for each label when it is written, and `rewrite` asks again.
  * Colours are the page's CSS custom properties, read by `setTheme`. The host must be positioned; its background is the sky.
  *
+ * @import { Vector3 } from 'three'
  * @import { LinkStyle } from './linkPieces.js'
  * @import { MarkText } from './marks.js'
+ * @import { Eye } from './eye.js'
  * @import { Rectangle } from './view.js'
+ * @import { Viewpoint, ViewName } from './viewpoint.js'
  * @import { Chain } from '../kinematics/chain.js'
  * @import { Clock } from '../model/clock.js'
  *
@@ -24,12 +27,16 @@
  * @property {Clock} clock
  * @property {'high' | 'low'} quality  low: no shadow, no smoothing, one pixel to a pixel of the page
  * @property {StageText} text
+ * @property {() => boolean} [isCalm]  whether the person wants no motion
+ * @property {(view: Eye & Viewpoint) => void} [onDraw]  a picture was taken, from there
+ * @property {(name: ViewName | null) => void} [onLook]  a key asked for that view
  * @property {(metres: number) => void} [onGridStep]  a square of the floor's grid is now this large
  * @property {(error: unknown) => void} [onError]     the view broke; it will not draw again
  *
  * @typedef {NonNullable<ReturnType<typeof createStage>>} Stage
  */
 import { createFrameLoop } from '../model/clock.js';
+import { eyeOf } from './eye.js';
 import { createLabels } from './labels.js';
 import { createScene } from './scene.js';
 import { currentSkin } from './skins.js';
@@ -37,7 +44,8 @@ import { createSurface } from './surface.js';
 import { createView } from './view.js';
 
 /** @param {StageOptions} options */
-export function createStage({ host, clock, quality, text, onGridStep = () => {}, onError = () => {} }) {
+export function createStage({ host, clock, quality, text, isCalm = () => false, ...on }) {
+  const { onGridStep = () => {}, onError = () => {}, onDraw = () => {}, onLook = (name) => look(name) } = on;
   const isLow = quality === 'low';
   const surface = createSurface({ host, isLow, onResize, onLose, onRestore: () => redraw({ castsAnew: true }) });
   if (!surface) return null;
@@ -49,11 +57,13 @@ export function createStage({ host, clock, quality, text, onGridStep = () => {},
   let isFitted = false;
   /** @type {Rectangle | null} */
   let free = null;
+  /** Where the view was before it went near something. @type {Viewpoint | null} */
+  let left = null;
 
   const labels = createLabels(host);
   const invalidate = createFrameLoop(clock, draw);
   const scene = createScene({ skin: currentSkin(), isLow, labels, text, onChange: redraw, onGridStep });
-  const view = createView(surface.canvas, { onChange: invalidate, onFit: fit });
+  const view = createView(surface.canvas, { clock, isCalm, onChange: invalidate, onLook: (name) => onLook(name) });
   surface.start();
 
   /** @param {{ castsAnew: boolean }} change */
@@ -66,9 +76,12 @@ export function createStage({ host, clock, quality, text, onGridStep = () => {},
     if (isBroken || !surface) return;
     try {
       if (!isFitted) fit();
+      const eye = eyeOf(view.camera, surface.width, surface.height);
+      scene.face(eye);
       if (!surface.draw(scene.scene, view.camera, castsAnew)) return;
       castsAnew = false;
       labels.place(view.camera, surface.width, surface.height);
+      onDraw({ ...eye, ...view.viewpoint() });
     } catch (error) {
       isBroken = true;
       onError(error);
@@ -90,14 +103,37 @@ export function createStage({ host, clock, quality, text, onGridStep = () => {},
 
   /**
    * Get the whole arm into the picture.
-   * @param {Rectangle | null} [freePart]  what of the view nothing covers; as at the last time, if left out
+   * @param {{ free?: Rectangle | null, from?: ViewName | null, flies?: boolean }} [how]  `free`: what of the view nothing
+   *   covers, as at the last time if left out; `from`: as it is seen now if left out
    */
-  function fit(freePart = free) {
+  function fit({ free: freePart = free, from = isFitted ? null : 'home', flies = false } = {}) {
     free = freePart;
     const extent = scene.extent();
     if (!extent || !surface?.width || !surface.height) return;
     isFitted = true;
-    view.fit(extent.corners, extent.size, free);
+    left = null;
+    view.fit(extent.corners, extent.size, { free, from, flies });
+  }
+
+  /** @param {ViewName | null} [name] */
+  function look(name = null) {
+    fit({ from: name, flies: true });
+  }
+
+  /**
+   * On a small screen: go near some points, and back to where the view was when there are none any more.
+   * @param {readonly Vector3[] | null} points
+   */
+  function closeIn(points) {
+    const extent = scene.extent();
+    if (!extent || !surface?.width) return;
+    if (!points) {
+      if (left && view.isUntouched) view.returnTo(left);
+      left = null;
+      return;
+    }
+    left ??= view.viewpoint();
+    view.fit(points, extent.size, { free, from: null, flies: true });
   }
 
   return {
@@ -118,9 +154,23 @@ export function createStage({ host, clock, quality, text, onGridStep = () => {},
     highlightJoint: scene.highlightJoint,
     holdJoint: scene.holdJoint,
     showTarget: scene.showTarget,
+    showEnds: scene.showEnds,
+    addMarks: scene.addMarks,
+    touch: scene.touch,
     rewrite: scene.rewrite,
+    /** @param {'perspective' | 'parallel'} projection */
+    project: (projection) => view.project(projection === 'parallel'),
     setTheme: () => scene.setSkin(currentSkin()),
     fit,
+    look,
+    closeIn,
+    /** How large the picture is, in pixels of the page. */
+    get width() {
+      return surface.width;
+    },
+    get height() {
+      return surface.height;
+    },
     dispose() {
       isBroken = true; // a frame that was asked for may still come
       scene.dispose();

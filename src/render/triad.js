@@ -39,7 +39,9 @@ export function createTriad({ skin, labels, width, letters, letterCase, subscrip
   group.add(lines, heads);
   const names = AXES.map((name, k) => {
     const label = labels.add(`axis axis-${name} ${letters}`.trim());
-    label.write(letterCase === 'upper' ? name.toUpperCase() : name, subscript);
+    const letter = letterCase === 'upper' ? name.toUpperCase() : name;
+    label.write(subscript === undefined ? letter : [[letter, subscript]]);
+    label.yields = true;
     label.parent = group;
     label.at.fromArray(unit(k, 1));
     label.from = new Vector3();

@@ -1,32 +1,41 @@
 /**
- * Where the picture is taken from. Pointer, wheel, touch and keys turn, move and zoom it; nothing moves by itself.
+ * Where the picture is taken from. Pointer, wheel, touch and keys turn, move and zoom it. It flies only where it is sent, in
+ * less than half a second, and not at all where a person wants no motion.
+ *
+ * One camera sees in perspective and is the one that is moved; the other follows it and sees in parallel, with what is looked
+ * at just as large.
  *
  * @import { Vector3 as Vector } from 'three'
+ * @import { Viewpoint, ViewName } from './viewpoint.js'
+ * @import { Clock } from '../model/clock.js'
  */
-import { PerspectiveCamera, Vector3 } from 'three';
+import { OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { toRadians } from '../model/units.js';
-import { fitCamera } from './fit.js';
+import { fitCamera, fitParallel } from './fit.js';
+import { DIRECTIONS, axesOf, backwards, between } from './viewpoint.js';
+import { viewKey } from './viewKeys.js';
 
 const LENS = 24; // degrees, from top to bottom
 const HALF_HEIGHT = Math.tan(toRadians(LENS / 2));
-const FROM_FRONT_RIGHT = toRadians(-68); // azimuth, from x
-const SLIGHTLY_ABOVE = toRadians(19);
-const STEEPEST = toRadians(89.5);
 const FILL_HEIGHT = 0.65;
 const FILL_WIDTH = 0.8;
-const KEY_TURN = toRadians(5);
-const KEY_ZOOM = 1.15;
 const LEAST_IN_VIEW = 0.4; // of the arm's size: a folded arm is not blown up beyond this
+const FLIGHT = 0.35; // seconds
 
 /** @typedef {{ left: number, top: number, width: number, height: number }} Rectangle  pixels, within the host */
 
 /**
  * @param {HTMLElement} element  that hears pointer and keys
- * @param {{ onChange: () => void, onFit: () => void }} on
+ * @param {object} given
+ * @param {Clock} given.clock
+ * @param {() => boolean} given.isCalm  whether the person wants no motion
+ * @param {() => void} given.onChange
+ * @param {(name: ViewName | null) => void} given.onLook  a key asks for a standard view, or for the whole arm as it is seen
  */
-export function createView(element, { onChange, onFit }) {
+export function createView(element, { clock, isCalm, onChange, onLook }) {
   const camera = new PerspectiveCamera(LENS, 1, 0.01, 100);
+  const parallel = new OrthographicCamera();
   camera.up.set(0, 0, 1);
   camera.position.set(1, -3, 1.2);
   const controls = new OrbitControls(camera, element);
@@ -34,65 +43,134 @@ export function createView(element, { onChange, onFit }) {
   controls.update();
   let width = 1;
   let height = 1;
+  let isParallel = false;
   /** @type {Rectangle | null} */
   let free = null;
   let isUntouched = true; // since it was last fitted
-  controls.addEventListener('change', onChange);
-  controls.addEventListener('start', () => (isUntouched = false));
+  /** Counts what a flight would be overtaken by. */
+  let course = 0;
+  const noticed = { position: new Vector3(), target: new Vector3() };
+  controls.addEventListener('start', onTouch);
+  controls.addEventListener('change', notice);
+  // The controls find a step of a millimetre not worth a word; for an arm of 20 mm it is.
+  const { ownerDocument } = element;
+  controls.addEventListener('start', () => ownerDocument.addEventListener('pointermove', notice));
+  controls.addEventListener('end', () => ownerDocument.removeEventListener('pointermove', notice));
+  element.addEventListener('wheel', notice, { passive: true });
   element.addEventListener('keydown', onKey);
+
+  function onTouch() {
+    isUntouched = false;
+    course++;
+  }
+
+  function notice() {
+    if (noticed.position.equals(camera.position) && noticed.target.equals(controls.target)) return;
+    noticed.position.copy(camera.position);
+    noticed.target.copy(controls.target);
+    follow();
+    onChange();
+  }
+
+  /** The camera that sees in parallel goes where the other one is. */
+  function follow() {
+    const high = camera.position.distanceTo(controls.target) * HALF_HEIGHT;
+    const wide = (high * width) / height;
+    Object.assign(parallel, { left: -wide, right: wide, top: high, bottom: -high, near: -camera.far, far: camera.far });
+    parallel.position.copy(camera.position);
+    parallel.quaternion.copy(camera.quaternion);
+    parallel.updateProjectionMatrix();
+  }
 
   /** Shift the picture so that what the camera looks at is in the middle of the free part. */
   function aim() {
     camera.aspect = width / height;
-    if (free) {
-      const [x, y] = [free.left + free.width / 2 - width / 2, free.top + free.height / 2 - height / 2];
-      camera.setViewOffset(width, height, -x, -y, width, height);
-    } else camera.clearViewOffset();
+    for (const each of [camera, parallel]) {
+      if (free) {
+        const [x, y] = [free.left + free.width / 2 - width / 2, free.top + free.height / 2 - height / 2];
+        each.setViewOffset(width, height, -x, -y, width, height);
+      } else each.clearViewOffset();
+    }
     camera.updateProjectionMatrix();
+    follow();
   }
 
-  /** @returns {{ azimuth: number, elevation: number, distance: number }} */
-  function direction() {
+  /** @returns {Viewpoint} */
+  function viewpoint() {
     const { x, y, z } = camera.position.clone().sub(controls.target);
-    return { azimuth: Math.atan2(y, x), elevation: Math.atan2(z, Math.hypot(x, y)), distance: Math.hypot(x, y, z) };
+    return {
+      azimuth: Math.atan2(y, x),
+      elevation: Math.atan2(z, Math.hypot(x, y)),
+      distance: Math.hypot(x, y, z),
+      target: controls.target.clone(),
+    };
   }
 
-  /** @param {{ azimuth: number, elevation: number, distance: number }} from */
-  function lookFrom({ azimuth, elevation, distance }) {
-    const steepness = Math.max(-STEEPEST, Math.min(STEEPEST, elevation));
-    camera.position.copy(backwards(azimuth, steepness)).multiplyScalar(distance).add(controls.target);
+  /** @param {Viewpoint} to */
+  function stand({ target, distance, ...direction }) {
+    controls.target.copy(target);
+    camera.position.copy(backwards(direction)).multiplyScalar(distance).add(target);
     controls.update();
+    notice();
+  }
+
+  /** @param {Viewpoint} to @param {boolean} flies */
+  function goTo(to, flies) {
+    const own = ++course;
+    if (!flies || isCalm()) {
+      stand(to);
+      return;
+    }
+    const start = viewpoint();
+    const begun = clock.now();
+    const go = () => {
+      if (own !== course) return;
+      const share = (clock.now() - begun) / FLIGHT;
+      stand(between(start, to, share));
+      if (share < 1) clock.onFrame(go);
+    };
+    clock.onFrame(go);
   }
 
   /** @param {KeyboardEvent} event */
   function onKey(event) {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
-    const { azimuth, elevation, distance } = direction();
-    const [x, y] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key] ?? [0, 0];
-    if (event.key === 'f' || event.key === 'F' || event.key === 'Home') onFit();
-    else if (event.key === '+' || event.key === '=') view.zoomBy(KEY_ZOOM);
-    else if (event.key === '-') view.zoomBy(1 / KEY_ZOOM);
-    else if ((x || y) && event.shiftKey) pan(x, y, distance);
-    else if (x || y) lookFrom({ azimuth: azimuth + x * KEY_TURN, elevation: elevation + y * KEY_TURN, distance });
-    else return;
-    if (event.key !== 'Home' && event.key.toLowerCase() !== 'f') isUntouched = false;
+    const act = viewKey(event);
+    if (!act) return;
     event.preventDefault();
-  }
-
-  /** @param {number} x @param {number} y @param {number} distance */
-  function pan(x, y, distance) {
-    const step = 0.1 * distance * HALF_HEIGHT;
-    const by = new Vector3().setFromMatrixColumn(camera.matrix, 0).multiplyScalar(x * step);
-    by.addScaledVector(new Vector3().setFromMatrixColumn(camera.matrix, 1), y * step);
-    camera.position.add(by);
-    controls.target.add(by);
-    controls.update();
+    if ('look' in act) {
+      onLook(act.look);
+      return;
+    }
+    onTouch();
+    const now = viewpoint();
+    if ('zoom' in act) {
+      const distance = Math.max(controls.minDistance, Math.min(controls.maxDistance, now.distance / act.zoom));
+      stand({ ...now, distance });
+    } else if ('turn' in act) {
+      stand({ ...now, azimuth: now.azimuth + act.turn[0], elevation: now.elevation + act.turn[1] });
+    } else {
+      const { right, up } = axesOf(now);
+      const step = now.distance * HALF_HEIGHT;
+      now.target.addScaledVector(right, act.pan[0] * step).addScaledVector(up, act.pan[1] * step);
+      stand(now);
+    }
   }
 
   const view = {
-    camera,
+    get camera() {
+      return isParallel ? parallel : camera;
+    },
     get isUntouched() {
       return isUntouched;
+    },
+    viewpoint,
+
+    /** @param {boolean} seesParallel */
+    project(seesParallel) {
+      if (isParallel === seesParallel) return;
+      isParallel = seesParallel;
+      onChange();
     },
 
     /** @param {number} w @param {number} h */
@@ -111,51 +189,52 @@ export function createView(element, { onChange, onFit }) {
       controls.minDistance = 0.15 * size;
       controls.maxDistance = 20 * size;
       camera.updateProjectionMatrix();
+      follow();
     },
 
     /**
-     * Look from front right, slightly above, with the points in the middle of the free part of the view.
+     * The points in the middle of the free part of the view.
      * @param {readonly Vector[]} points
      * @param {number} size  of the arm
-     * @param {Rectangle | null} freePart  the whole view if null
+     * @param {object} how
+     * @param {Rectangle | null} how.free  the whole view if null
+     * @param {ViewName | null} how.from  as it is seen now if null
+     * @param {boolean} how.flies
      */
-    fit(points, size, freePart) {
+    fit(points, size, { free: freePart, from, flies }) {
       free = freePart;
       view.scaleTo(size);
       aim();
-      const part = freePart ?? { width, height };
+      const part = free ?? { width, height };
       const tanX = (HALF_HEIGHT * FILL_WIDTH * part.width) / height;
       const tanY = (HALF_HEIGHT * FILL_HEIGHT * part.height) / height;
-      const back = backwards(FROM_FRONT_RIGHT, SLIGHTLY_ABOVE);
-      const right = new Vector3(0, 0, 1).cross(back).normalize();
-      const up = back.clone().cross(right);
-      const { x, y, z, depth } = fitCamera(points, { right, up, back }, { tanX, tanY });
+      const direction = from ? DIRECTIONS[from] : viewpoint();
+      const axes = axesOf(direction);
+      const { x, y, z, depth } = (isParallel ? fitParallel : fitCamera)(points, axes, { tanX, tanY });
       const distance = Math.max(depth, (LEAST_IN_VIEW * size) / (2 * tanY));
-      controls.target
-        .set(0, 0, 0)
-        .addScaledVector(right, x)
-        .addScaledVector(up, y)
-        .addScaledVector(back, z - depth);
-      lookFrom({ azimuth: FROM_FRONT_RIGHT, elevation: SLIGHTLY_ABOVE, distance });
+      const target = new Vector3()
+        .addScaledVector(axes.right, x)
+        .addScaledVector(axes.up, y)
+        .addScaledVector(axes.back, z - depth);
+      const { azimuth, elevation } = direction;
+      goTo({ azimuth, elevation, distance, target }, flies);
       isUntouched = true;
       onChange();
     },
 
-    /** @param {number} factor  above 1 goes nearer */
-    zoomBy(factor) {
-      const from = direction();
-      const distance = Math.max(controls.minDistance, Math.min(controls.maxDistance, from.distance / factor));
-      lookFrom({ ...from, distance });
+    /** Back to where it once stood. @param {Viewpoint} to */
+    returnTo(to) {
+      goTo(to, true);
+      isUntouched = true;
     },
 
     dispose() {
+      course++;
       element.removeEventListener('keydown', onKey);
+      element.removeEventListener('wheel', notice);
+      ownerDocument.removeEventListener('pointermove', notice);
       controls.dispose();
     },
   };
   return view;
 }
-
-/** From what is looked at towards the camera. @param {number} azimuth @param {number} elevation */
-const backwards = (azimuth, elevation) =>
-  new Vector3(Math.cos(elevation) * Math.cos(azimuth), Math.cos(elevation) * Math.sin(azimuth), Math.sin(elevation));

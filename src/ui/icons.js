@@ -2,6 +2,7 @@
  * Icons as inline SVG: Bootstrap Icons by name, and the few that robotics needs and the set lacks.
  * The markup is our own and fixed at build time; it is parsed as SVG, not as HTML.
  */
+import box from 'bootstrap-icons/icons/box.svg?raw';
 import circleHalf from 'bootstrap-icons/icons/circle-half.svg?raw';
 import codeSlash from 'bootstrap-icons/icons/code-slash.svg?raw';
 import copy from 'bootstrap-icons/icons/copy.svg?raw';
@@ -46,10 +47,13 @@ const DRAWINGS = {
     home,
     list,
   },
-  ...{ check, dots, plus },
+  ...{ box, check, dots, plus },
   ...{ octagon, record, redo, slash, sliders, table, target, trash, undo, close },
   revolute: own(
     '<path d="M8 1.5a6.5 6.5 0 1 1-6.1 4.2" fill="none" stroke="currentColor" stroke-width="1.4" stroke-linecap="round"/><path d="M.6 6.9 2 3.6l2.9 2.1z"/><circle cx="8" cy="8" r="2"/>',
+  ),
+  frames: own(
+    '<g fill="none" stroke="currentColor" stroke-width="1.3"><path d="M6 10V2.5M6 10h7M6 10l-3.6 3.6"/></g><path d="M6 0 4.2 3.4h3.6zM16 10l-3.4-1.8v3.6zM.9 15.1l1.2-3.7 2.5 2.5z"/>',
   ),
   prismatic: own(
     '<path d="M3.2 5h9.6v6H3.2z" fill="none" stroke="currentColor" stroke-width="1.4"/><path d="M.2 8 2.6 6v4zM15.8 8l-2.4-2v4z"/>',

@@ -3,75 +3,95 @@
  * there is no picture where there is none. It knows no scene; main.js brings the two together.
  *
  * @import { Page } from './page.js'
+ * @import { Direction } from './viewMenu.js'
+ *
+ * @typedef {{ canvas: HTMLCanvasElement, look: (direction: Direction | null) => void }} Scene  all that is known of it here
  */
 import $ from 'jquery/slim';
-import { fromKernel } from '../model/units.js';
+import { shownFrames } from '../model/shownFrames.js';
+import { isRowField } from '../model/rowMotions.js';
+import { together } from '../model/views.js';
 import { fill, h } from './dom.js';
-import { editable, jointNumber, plain, poseNumber, unitOf, withUnit } from './format.js';
 import { icon } from './icons.js';
+import { asText, createSceneText } from './sceneText.js';
 import { TEXT } from './strings.js';
+import { createViewCube } from './viewCube.js';
+import { createFramesMenu, createViewMenu } from './viewMenu.js';
 
 /**
  * @param {Page} page
  * @param {HTMLElement} host
  * @param {{ poseInWords: () => string }} given
  */
-export function createViewPanel({ store, addView }, host, { poseInWords }) {
+export function createViewPanel(page, host, { poseInWords }) {
+  const { store, addView, announce } = page;
   const stageHost = h('div', { class: 'stage' });
   const fit = h(
     'button',
     { type: 'button', class: 'btn btn-icon', 'aria-label': TEXT.view.fit, title: TEXT.view.fit },
     icon('fullscreen'),
   );
-  const tools = h('div', { class: 'float tl', role: 'toolbar', 'aria-label': TEXT.view.tools }, fit);
+  /** @type {Scene | null} */
+  let scene = null;
+
+  /** @param {Direction | null} direction  null: the whole arm, as it is seen now */
+  function look(direction) {
+    scene?.look(direction);
+    if (direction) announce(TEXT.view.seen(TEXT.view.direction[direction]));
+  }
+  const cube = createViewCube(look);
+  const tools = h(
+    'div',
+    { class: 'float tl', role: 'toolbar', 'aria-label': TEXT.view.tools },
+    fit,
+    createViewMenu(page, look),
+    createFramesMenu(page),
+  );
   const grid = h('span', { class: 'scale' });
-  fill(host, stageHost, tools, grid);
+  fill(host, stageHost, tools, cube.element, grid);
+  $(fit).on('click', () => look(null));
 
   const robot = () => store.state.doc.robot;
-  const length = (/** @type {number} */ metres) => fromKernel('length', metres, robot().units);
+  const text = createSceneText(page);
+
+  /** What is in the picture beside the arm, in words. */
+  function drawn() {
+    const { doc, session } = store.state;
+    const frames = shownFrames(session, doc.robot.joints.length).map(TEXT.view.frameName);
+    const cell = session.pointedCell ?? session.cell;
+    return [
+      frames.length ? TEXT.view.drawnFrames(frames) : TEXT.view.noFrames,
+      cell && isRowField(cell.field) && TEXT.view.drawnDimension(asText(text.dimension(cell.joint, cell.field))),
+    ]
+      .filter(Boolean)
+      .join(' ');
+  }
 
   return {
     stageHost,
 
-    /** The words of the scene's labels. */
-    text: {
-      view: '',
-      /** @param {number} index */
-      jointValue(index) {
-        const joint = robot().joints[index];
-        const unit = unitOf(joint, robot().units);
-        return `J${index + 1} ${withUnit(jointNumber(store.state.doc.posture[index], unit), unit)}`;
-      },
-      /** @param {number} index @param {'lower' | 'upper'} which */
-      jointLimit(index, which) {
-        const joint = robot().joints[index];
-        const limit = joint[which];
-        return limit === undefined ? '' : withUnit(editable(limit), unitOf(joint, robot().units));
-      },
-      /** @param {number} metres */
-      missing: (metres) => withUnit(poseNumber(length(metres), robot().units.length), robot().units.length),
-    },
+    text,
 
     /** @param {number} metres */
     showGridStep(metres) {
-      const step = withUnit(plain(Number(length(metres).toPrecision(3))), robot().units.length);
-      grid.textContent = TEXT.view.grid(step);
+      grid.textContent = TEXT.view.grid(text.gridStep(metres));
     },
 
-    /**
-     * @param {HTMLCanvasElement} canvas
-     * @param {() => void} onFit
-     */
-    surround(canvas, onFit) {
-      $(fit).on('click', onFit);
+    look,
+    showViewpoint: cube.turn,
+
+    /** @param {Scene} stage */
+    surround(stage) {
+      scene = stage;
       addView(
-        ({ doc }) => doc,
-        () => canvas.setAttribute('aria-label', TEXT.view.describe(robot().name, poseInWords())),
+        together(({ doc }) => [doc, drawn()]),
+        ([, words]) => stage.canvas.setAttribute('aria-label', TEXT.view.describe(robot().name, poseInWords(), words)),
       );
     },
 
     sayWhyEmpty() {
       tools.remove();
+      cube.element.remove();
       grid.remove();
       fill(stageHost, h('div', { class: 'empty' }, h('p', {}, TEXT.noWebGl)));
     },

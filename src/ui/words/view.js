@@ -15,7 +15,33 @@ export const PANELS = {
 export const VIEW = {
   tools: 'View',
   fit: 'Fit the arm into the view',
-  describe: (/** @type {string} */ robot, /** @type {string} */ pose) =>
-    `${robot} in 3-D. ${pose} Arrow keys orbit, plus and minus zoom, F fits.`,
+  views: 'Direction of view',
+  frames: 'Frames',
+  build: 'Build it',
+  buildTitle: 'Build it: how a row makes a frame',
+  direction: {
+    home: 'From front right',
+    front: 'Front',
+    back: 'Back',
+    left: 'Left',
+    right: 'Right',
+    top: 'Top',
+    bottom: 'Bottom',
+  },
+  projection: { perspective: 'Perspective', parallel: 'Parallel (orthographic)' },
+  framesShown: {
+    none: 'No frames',
+    ends: 'Base and tool',
+    row: 'The two of the selected row',
+    all: 'All frames',
+  },
+  seen: (/** @type {string} */ direction) => `View: ${direction}.`,
+  describe: (/** @type {string} */ robot, /** @type {string} */ pose, /** @type {string} */ drawn) =>
+    `${robot} in 3-D. ${pose} ${drawn} Arrow keys orbit, with Shift they move the picture, plus and minus zoom, F fits, 0 to 6 choose a view.`,
+  drawnFrames: (/** @type {string[]} */ names) => `Frames drawn: ${names.join(', ')}.`,
+  noFrames: 'No frames drawn.',
+  frameName: (/** @type {number | 'tool'} */ frame) =>
+    frame === 'tool' ? 'tool' : frame === 0 ? 'base' : String(frame),
+  drawnDimension: (/** @type {string} */ text) => `Dimension drawn: ${text}.`,
   grid: (/** @type {string} */ step) => `Grid ${step}`,
 };

@@ -9,12 +9,10 @@ import { createScene } from '../../../src/render/scene.js';
 import { skinOf } from '../../../src/render/skins.js';
 import { SEED, runs } from '../../helpers/property.js';
 import { anyRows, apply, framesByHand, inverse, libraryArms, times } from './arms.js';
+import { fakeLabels } from './fakeLabels.js';
 import { linkFrames } from '../../../src/kinematics/forward.js';
 
-/**
- * @import { Object3D } from 'three'
- * @import { Label } from '../../../src/render/labels.js'
- */
+/** @import { Object3D } from 'three' */
 
 /** @type {Record<string, string>} */
 const TOKENS = { '--accent': '#5426A8', '--ink': '#171C24', '--bad': '#B3132B' };
@@ -22,34 +20,6 @@ const skin = skinOf('light', (name) => TOKENS[name] ?? '#1A6FE8');
 const dark = skinOf('dark', () => '#C3B5FD');
 const [, puma] = libraryArms[0];
 const home = [0, 0.8, -3, 0, 0.8, 0];
-
-/** Labels without a page. */
-function fakeLabels() {
-  /** @type {(Label & { className: string, text: string })[]} */
-  const all = [];
-  return {
-    all,
-    /** @param {string} className */
-    add(className) {
-      const label = {
-        className,
-        text: '',
-        at: new Vector3(),
-        parent: null,
-        from: null,
-        gap: 0,
-        aside: false,
-        visible: true,
-        write: (/** @type {string} */ text, subscript = '') => void (label.text = text + subscript),
-        remove: () => void all.splice(all.indexOf(label), 1),
-      };
-      all.push(label);
-      return label;
-    },
-    /** @param {string} className */
-    texts: (className) => all.filter((label) => label.className === className && label.visible).map(({ text }) => text),
-  };
-}
 
 /** A scene, drawn through a frame loop as the stage draws it. */
 function createStill() {

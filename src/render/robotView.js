@@ -1,0 +1,165 @@
+/**
+ * The state of the page in the scene: which part of the state each thing in the picture shows. What is not in every first
+ * picture is fetched when it is first wanted.
+ *
+ * @import { Wanted } from './dimension.js'
+ * @import { StageOptions } from './stage.js'
+ * @import { LabelText } from './labels.js'
+ * @import { MarkSet, MarkTools } from './marks.js'
+ * @import { Clock } from '../model/clock.js'
+ * @import { Derived } from '../model/derived.js'
+ * @import { Convention, DhField } from '../model/document.js'
+ * @import { Action, AppState, BuildUp, Session } from '../model/session.js'
+ * @import { Store } from '../model/store.js'
+ * @import { AddView } from '../model/views.js'
+ *
+ * @typedef {object} State
+ * @property {Store<AppState, Action>} store
+ * @property {AddView<AppState>} addView
+ * @property {Derived} derived
+ * @property {Clock} clock
+ */
+import { isAtAnswer, poseFromXyzwpr } from '../model/aim.js';
+import { compileLinkStyles } from '../model/compile.js';
+import { memo } from '../model/memo.js';
+import { isRowField, motionAt } from '../model/rowMotions.js';
+import { together } from '../model/views.js';
+import { shownFrames } from '../model/shownFrames.js';
+import { createStage } from './stage.js';
+
+/** An arm with a reach this much larger or smaller (as a logarithm: half as much again) is another one to the eye. */
+const OTHER_SIZE = Math.log(1.5);
+
+/** A view that is not this wide, or two thirds as high, shows a part of the arm better than the whole. */
+const SMALL = 560;
+
+/**
+ * @param {State} state
+ * @param {Omit<StageOptions, 'clock'> & {
+ *   text: StageOptions['text'] & { dimension: (joint: number, field: DhField) => LabelText },
+ *   onError: (error: unknown) => void,
+ * }} options
+ * @returns the stage; null without WebGL
+ */
+export function createRobotView({ store, addView, derived, clock }, options) {
+  const stage = createStage({ ...options, clock });
+  if (!stage) return null;
+  const linkStyles = memo(compileLinkStyles);
+  let shown = { edition: 0, name: '', reach: 0 };
+  addView(
+    together(({ doc, session }) => [doc.robot, doc.posture, session.edition]),
+    ([robot, , edition]) => {
+      const chain = derived.chain(store.state.doc);
+      stage.showArm(chain, linkStyles(robot));
+      stage.showPosture(derived.posture(store.state.doc));
+      // Another arm is brought into the picture; one whose table is edited stays where the person looks at it.
+      const isOther = robot.name !== shown.name || Math.abs(Math.log(chain.reach / shown.reach)) > OTHER_SIZE;
+      if (edition !== shown.edition && isOther) stage.fit();
+      shown = { edition, name: robot.name, reach: chain.reach };
+    },
+  );
+  addView(({ doc, session }) => litJoint(doc.robot.convention, session), stage.highlightJoint);
+  addView(({ session }) => gaugedJoint(session), stage.holdJoint);
+  addView(
+    together(({ doc, session }) => [doc.robot, session.target, doc.posture, session.answer]),
+    ([robot, target, posture, answer]) => {
+      // What is missing is drawn where the arm has gone as near as it can, not where it merely stands.
+      const isAtNearest = answer !== null && !answer.isMet && isAtAnswer(answer, posture);
+      stage.showTarget(target && poseFromXyzwpr(robot, target), { reached: !isAtNearest });
+    },
+  );
+  addView(({ session }) => session.projection, stage.project);
+
+  /**
+   * @template {MarkSet} Set
+   * @param {() => Promise<(tools: MarkTools) => Set>} load
+   */
+  function whenWanted(load) {
+    /** @type {Promise<Set> | null} */
+    let set = null;
+    /** @type {((set: Set) => void) | null} */
+    let due = null;
+    /** @param {boolean} isWanted @param {(set: Set) => void} use  the last one is carried out when the marks are there */
+    return (isWanted, use) => {
+      due = use;
+      if (!isWanted && !set) return;
+      set ??= load().then((create) => /** @type {NonNullable<typeof stage>} */ (stage).addMarks(create));
+      set.then(
+        (marks) => {
+          due?.(marks);
+          if (due) stage?.touch();
+          due = null;
+        },
+        (error) => {
+          set = null;
+          options.onError(error);
+        },
+      );
+    };
+  }
+
+  const withFrames = whenWanted(async () => (await import('./frameMarks.js')).createFrameMarks);
+  addView(
+    ({ doc, session }) => shownFrames(session, doc.robot.joints.length).join(),
+    () => {
+      const { doc, session } = store.state;
+      const numbers = shownFrames(session, doc.robot.joints.length);
+      stage.showEnds({ base: numbers.includes(0), tool: numbers.includes('tool') });
+      const inner = numbers.filter((one) => typeof one === 'number').filter((one) => one > 0);
+      withFrames(inner.length > 0, (frames) => frames.choose(inner));
+    },
+  );
+  const withDimension = whenWanted(async () => {
+    const { createDimensionMarks } = await import('./dimension.js');
+    return (tools) => createDimensionMarks({ ...tools, text: options.text.dimension });
+  });
+  addView(
+    together(({ doc, session }) => [doc.robot.convention, session.build, session.pointedCell ?? session.cell]),
+    ([convention, build, cell]) => {
+      const wanted = build ? dimensionOfBuild(convention, build) : dimensionOfCell(cell);
+      withDimension(wanted !== null, (marks) => {
+        marks.want(wanted);
+        // On a small screen the view goes near what is being changed, though not wherever a pointer passes.
+        const { session } = store.state;
+        if (Math.min(stage.width, 1.5 * stage.height) < SMALL) {
+          stage.closeIn(session.pointedCell && !session.build ? null : marks.points());
+        }
+      });
+    },
+  );
+
+  const withBuild = whenWanted(async () => (await import('./buildMarks.js')).createBuildMarks);
+  addView(
+    ({ session }) => session.build,
+    (build) => withBuild(build !== null, (marks) => marks.want(build)),
+  );
+  return stage;
+}
+
+/** @param {Convention} convention @param {BuildUp} build @returns {Wanted | null} */
+function dimensionOfBuild(convention, { joint, at }) {
+  const now = motionAt(convention, at);
+  return now && { joint, field: now.motion.field, share: now.share };
+}
+
+/** @param {Session['cell']} cell @returns {Wanted | null} */
+const dimensionOfCell = (cell) =>
+  cell && isRowField(cell.field) ? { joint: cell.joint, field: cell.field, share: 1 } : null;
+
+/**
+ * The joint whose link stands out. A modified row says of the link before it how long and how twisted it is.
+ * @param {string} convention
+ * @param {Session} session
+ */
+function litJoint(convention, { pointedCell, cell, heldJoint }) {
+  const chosen = pointedCell ?? cell;
+  if (!chosen) return heldJoint;
+  const isBefore = convention === 'modified' && (chosen.field === 'a' || chosen.field === 'alpha');
+  return isBefore ? chosen.joint - 1 : chosen.joint;
+}
+
+/** The joint whose limits are shown: the one in hand, or the one whose limit is being read. @param {Session} session */
+function gaugedJoint({ pointedCell, cell, heldJoint }) {
+  const chosen = pointedCell ?? cell;
+  return chosen && (chosen.field === 'lower' || chosen.field === 'upper') ? chosen.joint : heldJoint;
+}

@@ -12,7 +12,15 @@ const MAY_IMPORT = {
   render: { folders: ['model', 'kinematics'], packages: ['three', '@types/three'] },
   ui: {
     folders: ['model', 'io', 'karel', 'workers'],
-    packages: ['jquery', '@types/jquery', 'bootstrap', '@types/bootstrap', '@popperjs/core', 'bootstrap-icons'],
+    packages: [
+      'jquery',
+      '@types/jquery',
+      'bootstrap',
+      '@types/bootstrap',
+      '@popperjs/core',
+      'bootstrap-icons',
+      'mathjs',
+    ],
   },
 };
 

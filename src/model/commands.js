@@ -2,13 +2,13 @@
  * Every way the document can change, as plain data and one pure function. What can be said against a command is in
  * refusals.js, which the session asks before it comes here, so that the document in the store is always valid.
  *
- * A value that is undefined takes a limit away.
+ * A value that is undefined takes a limit away. A text is what was typed for the value, where that was an expression.
  *
- * @import { Convention, Doc, JointDoc, JointField, Units } from './document.js'
+ * @import { Convention, Doc, JointField, Units } from './document.js'
  * @import { JointCommand } from './jointCommands.js'
  * @import { RobotCommand } from './robotCommands.js'
  *
- * @typedef {{ type: 'set-joint-field', joint: number, field: JointField, value: number | undefined }
+ * @typedef {{ type: 'set-joint-field', joint: number, field: JointField, value: number | undefined, text?: string }
  *   | { type: 'set-joint-value', joint: number, value: number }
  *   | { type: 'set-posture', posture: readonly number[] }
  *   | { type: 'record-posture' }
@@ -27,6 +27,7 @@ import { convertConvention } from './convertConvention.js';
 import { convertUnits } from './convertUnits.js';
 import { applyJointCommand } from './jointCommands.js';
 import { applyRobotCommand } from './robotCommands.js';
+import { textOf, withField } from './jointFields.js';
 
 /**
  * @param {Doc} doc
@@ -37,10 +38,10 @@ export function applyCommand(doc, command) {
   const { robot, posture, postures } = doc;
   switch (command.type) {
     case 'set-joint-field': {
-      const { joint, field, value } = command;
+      const { joint, field, value, text } = command;
       const old = robot.joints[joint];
-      if (Object.is(old[field], value)) return doc;
-      return { ...doc, robot: { ...robot, joints: robot.joints.with(joint, withField(old, field, value)) } };
+      if (Object.is(old[field], value) && textOf(old, field) === text) return doc;
+      return { ...doc, robot: { ...robot, joints: robot.joints.with(joint, withField(old, field, value, text)) } };
     }
     case 'set-joint-value':
       return posture[command.joint] === command.value
@@ -86,21 +87,6 @@ export function applyCommand(doc, command) {
     default:
       return assertNever(command);
   }
-}
-
-/**
- * A new number takes the place of what was typed for the old one, too.
- * @param {JointDoc} joint
- * @param {JointField} field
- * @param {number | undefined} value
- * @returns {JointDoc}
- */
-function withField(joint, field, value) {
-  const { text, ...rest } = joint;
-  const kept = Object.entries(text ?? {}).filter(([name]) => name !== field);
-  const row = { ...rest, [field]: value, ...(kept.length > 0 && { text: Object.fromEntries(kept) }) };
-  if (value === undefined) delete row[field];
-  return row;
 }
 
 /** The first of p1, p2, … that no recorded posture has. @param {Doc} doc */

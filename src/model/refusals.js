@@ -7,6 +7,7 @@
  */
 import { MAX_POSTURES } from './document.js';
 import { CONVENTIONS, ID_PATTERN, PRESENT_POSTURE_ID } from './documentRules.js';
+import { badText } from './textRefusals.js';
 import { jointRefusal } from './jointRefusals.js';
 import { badChoice, badIndex, badNumber, issue, shown } from './refusalParts.js';
 import { robotRefusal } from './robotRefusals.js';
@@ -36,7 +37,8 @@ export function refusal(doc, command) {
         badIndex('joint', command.joint, robot.joints.length) ??
         badField(command.field) ??
         badNumber(FIELD_NAMES[command.field], command.value, command.field === 'lower' || command.field === 'upper') ??
-        crossedLimits(doc, command)
+        crossedLimits(doc, command) ??
+        badText(FIELD_NAMES[command.field], command)
       );
     case 'set-joint-value':
       return badIndex('joint', command.joint, posture.length) ?? badNumber('joint value', command.value);

@@ -58,6 +58,24 @@ export function convertLength(value, from, to) {
   return Number(`${digits}e${Number(exponent) + shift}`);
 }
 
+/** An inch is 25.4 mm: 254 whole tenths. */
+const TENTHS_PER_INCH = 254;
+
+/**
+ * A length that was typed in inches. The digits are multiplied as a whole number, so that nothing is rounded but the result.
+ * @example
+ * fromInches(12, 'mm') // → 304.8
+ * @param {number} inches
+ * @param {LengthUnit} to
+ */
+export function fromInches(inches, to) {
+  if (inches === 0 || !Number.isFinite(inches)) return inches;
+  const [digits, exponent = '0'] = String(inches).split('e');
+  const [whole, decimals = ''] = digits.split('.');
+  const tenths = BigInt(whole + decimals) * BigInt(TENTHS_PER_INCH);
+  return convertLength(Number(`${tenths}e${Number(exponent) - decimals.length - 1}`), 'mm', to);
+}
+
 /** The finest step of the angles that are kept exact as fractions of π, and how many of them make π. */
 const COMMON_STEP = 7.5;
 const STEPS_PER_PI = 24;

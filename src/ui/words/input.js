@@ -5,6 +5,7 @@ export const NUMBER = {
   comma: (/** @type {string} */ mended) => `Decimals are written with a point: ${mended}.`,
   notANumber: (/** @type {string} */ text) => `“${text}” is not a number; expected one such as 431.8.`,
   tooLarge: 'The number is too large; at most 1e9.',
+  notLoaded: 'Only plain numbers go now: what works out expressions did not load.',
 };
 
 export const PARAMETER = {

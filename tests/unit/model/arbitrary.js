@@ -80,6 +80,9 @@ export const anyAction = fc.oneof(
     joint: anyJoint,
     field: fc.constantFrom(...FIELDS),
     value: anyNumber,
+    text: fc.option(fc.oneof(fc.constantFrom('pi/2', '', 'a\nb', 'x'.repeat(201)), fc.string()), {
+      nil: undefined,
+    }),
     gesture: anyGesture,
   }),
   fc.record({

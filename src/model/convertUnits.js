@@ -14,8 +14,15 @@ const LIMITS = /** @type {const} */ (['lower', 'upper', 'home']);
 const RATES = /** @type {const} */ (['velocity', 'acceleration', 'jerk']);
 const SIZES = /** @type {const} */ (['radius', 'width', 'height']);
 
-/** A number with its own unit means the same in a document of any units. */
-const HAS_OWN_UNIT = /^\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*(mm|cm|m|in|deg|°|rad)\s*$/;
+/**
+ * A text that ends in a unit means the same in a document of any units, since a unit belongs to the whole product before it
+ * and only like is added to like; unless a sine is in it, whose angle may be in the document's unit.
+ */
+const HAS_OWN_UNIT = /((?<![A-Za-z])(mm|cm|m|in|deg|rad)|[°"])\s*$/;
+const HAS_TURN = /sin|cos|tan/i;
+
+/** @param {string} typed */
+const hasOwnUnit = (typed) => HAS_OWN_UNIT.test(typed) && !HAS_TURN.test(typed);
 
 /**
  * @param {Doc} doc
@@ -127,7 +134,7 @@ function withTexts(joint, old, from, to) {
   for (const field of DH_FIELDS) {
     const quantity = quantityOf(old, field);
     const typed = old.text?.[field];
-    const stays = from[quantity] === to[quantity] || (typed !== undefined && HAS_OWN_UNIT.test(typed));
+    const stays = from[quantity] === to[quantity] || (typed !== undefined && hasOwnUnit(typed));
     const kept = stays ? typed : quantity === 'angle' && to.angle === 'rad' ? commonAngle(old[field])?.text : undefined;
     if (kept !== undefined) text[field] = kept;
   }

@@ -8,15 +8,18 @@
  */
 import $ from 'jquery/slim';
 import { isSliding, quantityOf } from '../model/document.js';
+import { keepsText, textOf } from '../model/jointFields.js';
 import { together } from '../model/views.js';
 import { editCell } from './cellEditor.js';
 import { createCellLine } from './cellLine.js';
 import { fill, h, spoken, symbol } from './dom.js';
 import { compact, plain, unitOf, unitSign } from './format.js';
 import { createJointMenu } from './jointMenu.js';
-import { readLimit, readNumber } from './numberText.js';
+import { fractionOfPi } from './numberText.js';
 import { createStructureControls } from './structureControls.js';
 import { TEXT } from './strings.js';
+import { watchTableKeys, watchTablePointer } from './tableKeys.js';
+import { readTyped, readTypedLimit } from './typedNumber.js';
 
 /** @type {readonly { field: JointField, letter: string | null }[]} */
 const COLUMNS = [
@@ -27,6 +30,8 @@ const COLUMNS = [
   { field: 'lower', letter: null },
   { field: 'upper', letter: null },
 ];
+
+const FIELDS = COLUMNS.map(({ field }) => field);
 
 /** How many characters of a number a cell has room for, and how many beside the variable that it adds to. */
 const WIDEST = { theta: 7, d: 8, a: 7, alpha: 5, lower: 5, upper: 5, home: 6 };
@@ -64,8 +69,13 @@ export function createDhTable(page, host) {
   function rest(input, row, field) {
     const value = jointAt(row)[field];
     if (value === undefined) return '';
-    const { text, isRounded } = compact(value, (table.classList.contains('is-mixed') ? WIDEST_MIXED : WIDEST)[field]);
-    input.title = isRounded ? plain(value) : '';
+    const { angle } = store.state.doc.robot.units;
+    const room = (table.classList.contains('is-mixed') ? WIDEST_MIXED : WIDEST)[field];
+    const isTurn = angle === 'rad' && quantityOf(jointAt(row), field) === 'angle';
+    const fraction = isTurn ? fractionOfPi(value) : null; // exact where the digits would not be
+    const { text, isRounded } =
+      fraction && fraction.length <= room ? { text: fraction, isRounded: false } : compact(value, room);
+    input.title = text === fraction || isRounded ? plain(value) : '';
     input.classList.toggle('is-rounded', isRounded);
     input.parentElement?.classList.toggle('is-long', text.length > BESIDE_VARIABLE);
     return text;
@@ -88,19 +98,33 @@ export function createDhTable(page, host) {
       placeholder: isLimit ? TEXT.table.unlimited : null,
       disabled: isLimit && joint.type === 'continuous',
     });
+    const place = { joint: row, field };
+    const measure = () => {
+      const { robot } = store.state.doc;
+      return { quantity: quantityOf(robot.joints[row], field), units: robot.units };
+    };
     const cell = editCell(page, input, {
-      read: isLimit ? readLimit : readNumber,
-      command: (/** @type {number | undefined} */ value) => ({ type: 'set-joint-field', joint: row, field, value }),
+      read: (text) => (isLimit ? readTypedLimit : readTyped)(text, measure()),
+      command: (/** @type {number | undefined} */ value, text) => ({
+        ...{ type: 'set-joint-field', joint: row, field, value },
+        ...(keepsText(field) && text !== undefined && { text }),
+      }),
+      again: () => ({
+        ...{ type: 'set-joint-field', joint: row, field, value: jointAt(row)[field] },
+        text: textOf(jointAt(row), field),
+      }),
       onDone: () => `${label}: ${show(row, field) || TEXT.table.unlimited}`,
-      onReason: (reason) => cellLine.refuse(input, row, field, reason),
-      onTyped: (reason) => cellLine.typed(reason),
-      text: () => show(row, field),
+      onReason: (_, refused) => {
+        input.classList.toggle('is-asked', refused?.isQuestion ?? false);
+        cellLine.refuse(cell, place, refused);
+      },
+      onTyped: (_, answer) => cellLine.typed(cell, place, answer),
+      text: () => textOf(jointAt(row), field) ?? show(row, field),
       resting: () => rest(input, row, field),
     });
     input.addEventListener('focus', () => {
-      const place = { joint: row, field };
       store.dispatch({ type: 'show', change: { cell: place } });
-      cellLine.show(store.state.doc.robot, place); // at once: a screen reader reads the description now
+      cellLine.redraw(); // at once: a screen reader reads the description now
     });
     return cell;
   }
@@ -156,33 +180,8 @@ export function createDhTable(page, host) {
     goal = null;
   }
 
-  /** @param {HTMLInputElement} input @param {number} rows @param {number} columns @returns {boolean} whether there was a cell to go to */
-  function go(input, rows, columns) {
-    const row = cells.findIndex((list) => list.some((cell) => cell.input === input));
-    const column = cells[row].findIndex((cell) => cell.input === input);
-    let [nextRow, nextColumn] = [row + rows, column + columns];
-    while (cells[nextRow]?.[nextColumn]?.input.disabled) [nextRow, nextColumn] = [nextRow + rows, nextColumn + columns];
-    const next = cells[nextRow]?.[nextColumn];
-    next?.input.focus();
-    return Boolean(next);
-  }
-
-  $(table).on('keydown', 'input', (event) => {
-    const input = /** @type {HTMLInputElement} */ (event.currentTarget);
-    const { selectionStart: start, selectionEnd: end, value } = input;
-    const all = start === 0 && end === value.length;
-    const atStart = all || (start === 0 && end === 0);
-    const atEnd = all || (start === value.length && end === value.length);
-    const moved =
-      (event.key === 'ArrowUp' && go(input, -1, 0)) ||
-      (event.key === 'ArrowDown' && go(input, 1, 0)) ||
-      (event.key === 'Enter' &&
-        input.getAttribute('aria-invalid') !== 'true' &&
-        go(input, event.shiftKey ? -1 : 1, 0)) ||
-      (event.key === 'ArrowLeft' && atStart && go(input, 0, -1)) ||
-      (event.key === 'ArrowRight' && atEnd && go(input, 0, 1));
-    if (moved) event.preventDefault();
-  });
+  watchTableKeys(table, () => cells.map((row) => row.map(({ input }) => input)), cellLine.answer);
+  watchTablePointer(page, table, FIELDS);
   $(table).on('focusout', ({ relatedTarget }) => {
     if (!(relatedTarget instanceof Node && table.contains(relatedTarget))) {
       store.dispatch({ type: 'show', change: { cell: null } });
@@ -221,11 +220,11 @@ export function createDhTable(page, host) {
   );
   addView(
     together(({ doc, session }) => [doc.robot, session.cell, session.heldJoint]),
-    ([robot, cell, heldJoint]) => {
+    ([, cell, heldJoint]) => {
       const on = cell?.joint ?? heldJoint;
       for (const row of table.querySelectorAll('tbody tr'))
         row.classList.toggle('on', row.getAttribute('data-row') === String(on));
-      cellLine.show(robot, cell);
+      cellLine.redraw();
     },
   );
 }

@@ -2,12 +2,12 @@
  * An expression that was typed into a field → what the field answers: the number with the text to keep, the question which
  * angle was meant, or the reason against it with ways out.
  *
- * @import { Answer, Measure, Way } from './typedNumber.js'
+ * @import { Answer, Measure, Way } from './numberText.js'
  */
 import { shownText } from '../model/shownText.js';
 import { convertAngle } from '../model/units.js';
 import { evaluate } from './expression.js';
-import { compact, plain, withUnit } from './format.js';
+import { compact, withUnit } from './format.js';
 import { readNumber } from './numberText.js';
 import { tidy } from './expressionNumbers.js';
 import { EXPRESSION } from './words/expression.js';
@@ -76,10 +76,13 @@ function question(typed, value) {
   return { value: null, reason: title, title, ways, isQuestion: true };
 }
 
-/** Whether a text comes to a number, but for rounding. @param {string} text @param {number} value @param {Measure} measure */
-export function comesTo(text, value, { quantity, units }) {
+/** How far rounding may take a number from its text. */
+const ROUNDING = 1e-9;
+
+/** Whether a text comes to a number, in one of its readings. @param {string} text @param {number} value @param {Measure} measure */
+export function agrees(text, value, { quantity, units }) {
   const { found } = evaluate(text, quantity, units);
-  return found !== null && !found.isUnclear && Math.abs(found.value - value) <= 1e-9 * Math.max(1, Math.abs(value))
-    ? null
-    : { value: found && !found.isUnclear ? plain(found.value) : null };
+  if (found === null) return readNumber(text).value === value;
+  const readings = found.isUnclear ? [found.value, convertAngle(found.value, 'rad', 'deg')] : [found.value];
+  return readings.some((reading) => Math.abs(reading - value) <= ROUNDING * Math.max(1, Math.abs(value)));
 }

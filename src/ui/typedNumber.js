@@ -3,33 +3,17 @@
  * numbers are read at once; the first text that is none fetches expressionAnswer.js, and until that is here the answer is
  * that one has to wait.
  *
- * @import { Units } from '../model/document.js'
- *
- * @typedef {{ readonly quantity: 'length' | 'angle', readonly units: Units }} Measure  what is wanted, and the document's units
- * @typedef {{ readonly label: string, readonly text: string }} Way  out of a refusal or a question: a text to type instead
- *
- * @typedef {object} Refused
- * @property {null} value
- * @property {string} reason      a sentence that says all
- * @property {string} [title]     what is wrong or asked, in few words; `hint` then says the rest of it
- * @property {string} [hint]
- * @property {readonly Way[]} [ways]
- * @property {boolean} [isQuestion]
- *
- * @typedef {{ value: null, reason: null, ready: Promise<void> }} Waiting
+ * @import { Answer, Measure } from './numberText.js'
  */
 import { readNumber } from './numberText.js';
 import { TEXT } from './strings.js';
 
-/**
- * @template Value
- * @typedef {{ value: Value, reason: null, text?: string, note?: string } | Refused | Waiting} Answer  text: to be kept
- */
-
 /** @typedef {(text: string, measure: Measure) => Answer<number>} AnswerExpression */
 
-/** @type {AnswerExpression | null} */
-let answerExpression = null;
+/** @typedef {(text: string, value: number, measure: Measure) => boolean} AgreesWith */
+
+/** @type {{ answerExpression: AnswerExpression, agrees: AgreesWith } | null} */
+let expressions = null;
 let hasFailed = false;
 /** @type {Promise<void> | null} */
 let coming = null;
@@ -38,7 +22,7 @@ let coming = null;
 export function fetchExpressions() {
   coming ??= import('./expressionAnswer.js').then(
     (module) => {
-      answerExpression = module.answerExpression;
+      expressions = module;
     },
     () => {
       hasFailed = true;
@@ -56,7 +40,7 @@ export function fetchExpressions() {
 export function readTyped(text, measure) {
   const plain = readNumber(text);
   if (plain.reason === null || text.trim() === '') return plain;
-  if (answerExpression) return answerExpression(text, measure);
+  if (expressions) return expressions.answerExpression(text, measure);
   if (hasFailed) {
     hasFailed = false;
     return { value: null, reason: TEXT.number.notLoaded };
@@ -72,3 +56,13 @@ export function readTyped(text, measure) {
  */
 export const readTypedLimit = (text, measure) =>
   text.trim() === '' ? { value: undefined, reason: null } : readTyped(text, measure);
+
+/**
+ * Whether a text that a file has beside a number comes to that number; where that cannot be told yet, when to ask again.
+ * @param {string} text
+ * @param {number} value
+ * @param {Measure} measure
+ * @returns {boolean | Promise<void>}
+ */
+export const agreesWith = (text, value, measure) =>
+  expressions ? expressions.agrees(text, value, measure) : hasFailed || fetchExpressions();

@@ -24,9 +24,17 @@ export const TABLE = {
     home: 'home',
   },
   unitName: { mm: 'millimetres', cm: 'centimetres', m: 'metres', deg: 'degrees', rad: 'radians' },
-  hint: 'Each row leads from one joint axis to the next. Choose a cell to see what it means and change it.',
+  hint: 'Each row leads from one joint axis to the next. Choose a cell to see what it means and change it: 431.8, 12 in, pi/2 rad.',
   source: 'Source',
-  kept: 'Kept as it was:',
+  keeps: (/** @type {string} */ value) => `The arm keeps ${value}.`,
+  stays: (/** @type {string} */ value) => `It stays at ${value}.`,
+  waits: (/** @type {string} */ value) => `The arm waits with ${value} until this is settled.`,
+  waitsPlainly: (/** @type {string} */ value) => `It stays at ${value} until this is settled.`,
+  loading: '…',
+  takeBack: 'Take back',
+  escape: 'Esc',
+  disagrees: (/** @type {string} */ text) =>
+    `The file says that ${text} was typed for this, which is another value. The arm follows the number.`,
 };
 
 /** What a parameter is, by convention; i counts joints from 1. */

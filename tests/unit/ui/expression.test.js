@@ -1,6 +1,9 @@
 /** Expressions in cells, against trees that were computed before they were written down. */
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
+import { DH_FIELDS, quantityOf } from '../../../src/model/document.js';
+import { convertUnits } from '../../../src/model/convertUnits.js';
+import { LIBRARY, newDocument } from '../../../src/model/library.js';
 import { evaluate } from '../../../src/ui/expression.js';
 import { answerExpression } from '../../../src/ui/expressionAnswer.js';
 import { SEED, runs } from '../../helpers/property.js';
@@ -127,12 +130,12 @@ describe('the answer of a field', () => {
   test('to π among degrees is a question with two ways out, each of which is an answer', () => {
     const asked = answerExpression('-pi/2', measure);
     expect(asked).toMatchObject({ value: null, isQuestion: true });
-    const { ways = [] } = /** @type {import('../../../src/ui/typedNumber.js').Refused} */ (asked);
+    const { ways = [] } = /** @type {import('../../../src/ui/numberText.js').Refused} */ (asked);
     expect(ways.map(({ label }) => label)).toEqual(['-π/2 rad = −90°', '−1.5708°']);
     expect(answerExpression(ways[0].text, measure)).toEqual({ value: -90, reason: null, text: '-pi/2 rad' });
     expect(answerExpression(ways[1].text, measure)).toMatchObject({ value: -Math.PI / 2, text: '-pi/2 deg' });
     const sum = answerExpression('pi/2 + pi/4', measure);
-    const { ways: waysOfSum = [] } = /** @type {import('../../../src/ui/typedNumber.js').Refused} */ (sum);
+    const { ways: waysOfSum = [] } = /** @type {import('../../../src/ui/numberText.js').Refused} */ (sum);
     expect(answerExpression(waysOfSum[0].text, measure)).toMatchObject({ value: 135, text: '(pi/2 + pi/4) rad' });
   });
 
@@ -144,6 +147,29 @@ describe('the answer of a field', () => {
     expect(ways('12,5')).toEqual([{ label: 'Use 12.5', text: '12.5' }]);
     expect(ways('hello')).toEqual([]);
   });
+});
+
+test('a text that a change of units keeps comes to the changed number', () => {
+  const typed = { a: '12 in', d: '(3 + 4)*1.1 cm', alpha: 'pi/2 rad', theta: '90°' };
+  const others = { a: '12"', d: 'sqrt(2)*100 mm', alpha: '(pi/2 - pi/8) rad', theta: '-45 deg + 5°' };
+  for (const text of [typed, others]) {
+    const { joints } = LIBRARY.planar2r;
+    const numbers = { a: length(text.a), d: length(text.d), alpha: angle(text.alpha), theta: angle(text.theta) };
+    const first = /** @type {import('../../../src/model/document.js').JointDoc} */ ({ ...joints[0], ...numbers, text });
+    const doc = newDocument({ ...LIBRARY.planar2r, units: MM_DEG, joints: [first, ...joints.slice(1)] });
+    const [row] = convertUnits(doc, M_RAD).robot.joints;
+    expect(row.text).toEqual(text);
+    for (const field of DH_FIELDS) {
+      const { found } = evaluate(text[field], quantityOf(row, field), M_RAD);
+      expect(Math.abs((found?.value ?? NaN) / row[field] - 1)).toBeLessThan(1e-15);
+    }
+  }
+  const sine = { a: 'sin(30)*2 m' };
+  const doc = newDocument({
+    ...LIBRARY.planar2r,
+    joints: LIBRARY.planar2r.joints.map((joint) => ({ ...joint, text: sine })),
+  });
+  expect(convertUnits(doc, M_RAD).robot.joints[0].text).toBeUndefined();
 });
 
 /** @typedef {{ value: number, text: string, rank: number }} Printed  rank: 0 sum, 1 product, 2 sign, 3 power, 4 alone */

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { compact, editable, fixed, jointNumber, plain, poseNumber, withUnit } from '../../../src/ui/format.js';
-import { readNumber } from '../../../src/ui/numberText.js';
+import { fractionOfPi, readNumber } from '../../../src/ui/numberText.js';
 
 describe('a number on the screen', () => {
   test('has a true minus and is never minus zero', () => {
@@ -36,6 +36,16 @@ describe('a number on the screen', () => {
       expect(text.length).toBeLessThanOrEqual(7);
       expect(Math.abs((readNumber(text).value ?? 0) / value - 1)).toBeLessThan(0.05);
     }
+  });
+
+  test('of radians is a fraction of π only where it is one to the last bit', () => {
+    expect([Math.PI / 2, -Math.PI, (-3 * Math.PI) / 4, Math.PI / 24].map(fractionOfPi)).toEqual([
+      'π/2',
+      '−π',
+      '−3π/4',
+      'π/24',
+    ]);
+    expect([0, 1.5707963, Math.PI / 2 + 2 ** -52, 1].map(fractionOfPi)).toEqual([null, null, null, null]);
   });
 
   test('to be edited has no rounding noise', () => {

@@ -168,11 +168,12 @@ describe('a tool that is pulled along', () => {
       // turning about axis 5, which the wrist passes straight, or a little to the side
       const axis = [0, 1, 2].map((i) => bent[i][1]);
       const tilted = axis.map((value, i) => value + beside * bent[i][0]);
-      const goals = Array.from({ length: 30 }, (_, k) => turned(bent, tilted, (-0.7 * (k + 1)) / 30));
+      const goals = Array.from({ length: 30 }, (_, k) => turned(bent, tilted, (0.7 * (k + 1)) / 30));
       const last = goals[goals.length - 1];
       for (let k = 0; k < 30; k++) goals.push(last);
       const answers = drag(publishedArm(name), q, goals);
       expect(answers[answers.length - 1].status).toBe('there');
+      expect(answers[answers.length - 1].q[4]).toBeGreaterThan(0.3); // by joint 4, on the same branch
     }
   });
 

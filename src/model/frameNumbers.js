@@ -1,10 +1,12 @@
 /**
  * Any frame seen from any other: the frames of the table, the tool at the end and the world they stand in.
  *
+ * @import { Chain } from '../kinematics/chain.js'
  * @import { RobotDoc } from './document.js'
  *
  * @typedef {'world' | 'tool' | 'flange' | number} FrameId  a number is that of the table's frame; 0 is the base
  */
+import { linkFrames } from '../kinematics/forward.js';
 import { compose, identity, invert } from '../kinematics/pose.js';
 
 /**
@@ -13,9 +15,6 @@ import { compose, identity, invert } from '../kinematics/pose.js';
  * @returns {FrameId[]}
  */
 export const framesOf = ({ joints }) => ['tool', 'flange', ...joints.map((_, i) => i + 1), 0, 'world'];
-
-/** Whether a robot has the frame. @param {FrameId} frame @param {RobotDoc} robot */
-export const hasFrame = (frame, { joints }) => typeof frame !== 'number' || frame <= joints.length;
 
 /**
  * @param {FrameId} frame
@@ -43,3 +42,10 @@ export function frameSeenFrom(frame, from, frames, T_world_tcp) {
   if (from === 'world') return T_world_frame;
   return compose(invert(seenFromWorld(from, frames, T_world_tcp)), T_world_frame);
 }
+
+/**
+ * Every frame of the table seen from the world: the base, frame 1, … frame n.
+ * @param {Chain} chain
+ * @param {ArrayLike<number>} q
+ */
+export const linkFramesOf = (chain, q) => linkFrames(chain, q);

@@ -6,6 +6,7 @@
  * @import { Command } from './commands.js'
  * @import { History } from './history.js'
  * @import { AimAnswer } from './aim.js'
+ * @import { NumbersView } from './numbersView.js'
  *
  * @typedef {'robot' | 'program' | 'code'} Tab
  * @typedef {Tab | 'jog' | 'aim'} Panel
@@ -26,6 +27,7 @@
  * @property {FramesShown} frames   of the scene; this and the next stay when another document is opened
  * @property {'perspective' | 'parallel'} projection
  * @property {BuildUp | null} build  how a row of the table makes a frame from the one before, being shown
+ * @property {NumbersView} numbers  how they are shown and copied
  * @property {number} edition   counts how often the document was exchanged for another (opened, undone), not edited
  *
  * @typedef {History & { readonly session: Session }} AppState
@@ -39,6 +41,7 @@
 import { applyCommand } from './commands.js';
 import { deepFreeze } from './freeze.js';
 import { refusal } from './refusals.js';
+import { FIRST_NUMBERS, fitNumbers } from './numbersView.js';
 import { cancelGesture, endGesture, record, redo, startHistory, undo } from './history.js';
 
 /** @type {Session} */
@@ -54,6 +57,7 @@ const FRESH = {
   frames: 'ends',
   projection: 'perspective',
   build: null,
+  numbers: FIRST_NUMBERS,
   edition: 0,
 };
 
@@ -106,7 +110,8 @@ function settle(state, history, next) {
   const sameShape = robot.joints.length === old.joints.length && robot.units === old.units && !isOther;
   const { panel, tab, edition, frames, projection } = session;
   const openJoint = session.openJoint === null ? null : Math.min(session.openJoint, robot.joints.length - 1);
-  const kept = { panel, tab, edition, frames, projection, openJoint };
+  const numbers = fitNumbers(session.numbers, robot);
+  const kept = { panel, tab, edition, frames, projection, openJoint, numbers };
   return { ...next, session: sameShape ? { ...session, answer: null } : { ...FRESH, ...kept } };
 }
 

@@ -1,15 +1,18 @@
 /**
- * A slider and a number for each joint, home, and a word about whatever is past its limits.
+ * A slider and a number for each joint, home and zero, and a word about whatever is past its limits.
  *
  * @import { JogRow } from './jogRow.js'
  * @import { Page } from './page.js'
+ * @import { RobotDoc } from '../model/document.js'
  */
 import $ from 'jquery/slim';
-import { homePosture } from '../model/document.js';
+import { homePosture, limitsOf } from '../model/document.js';
+import { isInside, zeroPosture } from '../model/jogRange.js';
 import { together } from '../model/views.js';
 import { fill, h } from './dom.js';
+import { jointNumber, unitOf, withUnit } from './format.js';
 import { icon } from './icons.js';
-import { createJogRow, isInside, limitsInWords } from './jogRow.js';
+import { createJogRow, limitsInWords } from './jogRow.js';
 import { TEXT } from './strings.js';
 
 /**
@@ -18,18 +21,51 @@ import { TEXT } from './strings.js';
  */
 export function createJogPanel(page, host) {
   const { store, addView, announce } = page;
+  const zero = h('button', { type: 'button', class: 'btn soft', title: TEXT.jog.zero }, TEXT.jog.zeroShort);
   const home = h(
     'button',
-    { type: 'button', class: 'btn btn-icon', 'aria-label': TEXT.jog.home, title: TEXT.jog.home },
+    { type: 'button', class: 'btn soft', 'aria-label': TEXT.jog.home, title: TEXT.jog.home },
     icon('home'),
+    TEXT.jog.homeShort,
   );
   const list = h('div', { class: 'body' });
+  const keep = h('input', { type: 'checkbox', role: 'switch', checked: true });
+  const keepRow = h('label', { class: 'switch' }, keep, TEXT.jog.keep);
   const reasonLine = h('p', { class: 'reason sm', id: 'jog-reason', role: 'note' });
-  fill(host, h('header', {}, h('h2', {}, TEXT.jog.title), h('span', { class: 'grow' }), home), list, reasonLine);
+  fill(
+    host,
+    h('header', {}, h('h2', {}, TEXT.jog.title), h('span', { class: 'grow' }), zero, home),
+    list,
+    keepRow,
+    reasonLine,
+  );
+
+  const numbers = () => store.state.session.numbers;
+  /** What is said of a posture for as long as the arm stands in it. @type {{ of: readonly number[], text: string } | null} */
+  let remark = null;
 
   $(home).on('click', () => {
     store.dispatch({ type: 'set-posture', posture: homePosture(store.state.doc.robot) });
     announce(TEXT.jog.atHome);
+  });
+  $(zero).on('click', () => {
+    const { robot } = store.state.doc;
+    const { keepsLimits } = numbers();
+    const { posture, stopped } = zeroPosture(robot, keepsLimits);
+    store.dispatch({ type: 'set-posture', posture });
+    const notThere = (keepsLimits ? stopped : []).map((i) => {
+      const unit = unitOf(robot.joints[i], robot.units);
+      const value = withUnit(jointNumber(posture[i], unit), unit);
+      return TEXT.jog.notZero(`J${i + 1}`, limitsInWords(robot.joints[i], robot.units), value);
+    });
+    remark = notThere.length ? { of: store.state.doc.posture, text: notThere.join(' ') } : null;
+    sayReasons();
+    announce(remark?.text ?? TEXT.jog.atZero);
+  });
+  $(keep).on('change', () => {
+    const keepsLimits = keep.checked;
+    store.dispatch({ type: 'show', change: { numbers: { ...numbers(), keepsLimits } } });
+    announce(keepsLimits ? TEXT.jog.keepsNow : TEXT.jog.keepsNot);
   });
 
   /** @type {Map<HTMLInputElement, string>} texts that were refused and still stand */
@@ -43,35 +79,55 @@ export function createJogPanel(page, host) {
     sayReasons();
   }
 
+  let said = '';
+  reasonLine.hidden = true;
   function sayReasons() {
     const { robot, posture } = store.state.doc;
     for (const field of refused.keys()) if (!field.isConnected) refused.delete(field);
+    if (remark?.of !== posture) remark = null;
     const outside = robot.joints.flatMap((joint, i) =>
       isInside(joint, posture[i]) ? [] : [TEXT.jog.outside(`J${i + 1}`, limitsInWords(joint, robot.units))],
     );
-    reasonLine.textContent = [...refused.values(), ...outside].join(' ');
-    reasonLine.hidden = reasonLine.textContent === '';
+    const text = [...refused.values(), ...(remark ? [remark.text] : []), ...outside].join(' ');
+    if (text === said) return;
+    said = reasonLine.textContent = text;
+    reasonLine.hidden = text === '';
   }
 
   /** @type {readonly JogRow[]} */
   let rows = [];
+  /** What the rows were made for. */
   let shape = '';
+  /** @type {RobotDoc | null} */
+  let robotThen = null;
   let edition = -1;
   addView(
-    together(({ doc, session }) => [doc.robot, doc.posture, session.heldJoint, session.edition]),
-    ([robot, posture, heldJoint, now]) => {
-      const limits = robot.joints.map(({ type, lower, upper, home: at }) => [type, lower, upper, at]);
-      const wanted = JSON.stringify([robot.name, robot.units, limits]);
-      if (wanted !== shape || now !== edition) rows.forEach((row) => row.forget());
-      if (wanted !== shape) {
-        rows = robot.joints.map((_, i) => createJogRow(page, robot, i, { reasonId: reasonLine.id, onReason }));
-        fill(
-          list,
-          rows.map(({ row }) => row),
-        );
+    together(({ doc, session }) => [
+      doc.robot,
+      doc.posture,
+      session.heldJoint,
+      session.edition,
+      session.numbers.keepsLimits,
+    ]),
+    ([robot, posture, heldJoint, now, keepsLimits]) => {
+      if (robot !== robotThen || now !== edition) {
+        const limits = robot.joints.map(({ type, lower, upper, home: at }) => [type, lower, upper, at]);
+        const wanted = JSON.stringify([robot.name, robot.units, limits]);
+        if (wanted !== shape || now !== edition) rows.forEach((row) => row.forget());
+        if (wanted !== shape) {
+          rows = robot.joints.map((_, i) => createJogRow(page, robot, i, { reasonId: reasonLine.id, onReason }));
+          fill(
+            list,
+            rows.map(({ row }) => row),
+          );
+          keepRow.hidden = robot.joints.every((joint) =>
+            Object.values(limitsOf(joint)).every((limit) => !Number.isFinite(limit)),
+          );
+        }
+        [robotThen, shape, edition] = [robot, wanted, now];
       }
-      [shape, edition] = [wanted, now];
-      rows.forEach((row, i) => row.draw(posture[i], i === heldJoint));
+      if (keep.checked !== keepsLimits) keep.checked = keepsLimits;
+      rows.forEach((row, i) => row.draw(posture[i], i === heldJoint, keepsLimits));
       sayReasons();
     },
   );

@@ -1,74 +1,199 @@
 /**
- * Where the tool is: X Y Z and W P R, in a frame and a convention that stand in the panel's own head.
+ * Where the tool is: X Y Z and W P R, in a frame and a convention that stand in the panel's own head. Whatever else can be
+ * asked of it (another frame, another convention, the matrix, a copy) is fetched when it is first asked for, and from then
+ * on draws in this panel's place (numbersPanel.js).
  *
  * @import { Page } from './page.js'
+ * @import { Doc } from '../model/document.js'
  */
 import $ from 'jquery/slim';
-import { copyText } from './clipboard.js';
-import { fill, h } from './dom.js';
-import { copyable, poseNumber, unitSign, withUnit } from './format.js';
+import { eulerNumbers } from '../model/eulerNumbers.js';
+import { memo } from '../model/memo.js';
+import { together } from '../model/views.js';
+import { createAnnouncer } from './announce.js';
+import { fill, h, symbol } from './dom.js';
+import { poseNumber, unitSign, withUnit } from './format.js';
 import { icon } from './icons.js';
+import { createPoseGrid } from './poseGrid.js';
 import { TEXT } from './strings.js';
 
 export const POSE_NAMES = ['X', 'Y', 'Z', 'W', 'P', 'R'];
-const ROWS = [0, 3, 1, 4, 2, 5]; // X W, Y P, Z R: read across, copied down
+
+/** So long an arm has rested when a screen reader says where it is. */
+const REST_SECONDS = 0.8;
 
 /**
  * @param {Page} page
  * @param {HTMLElement} host
  */
-export function createPosePanel({ store, addView, derived, announce }, host) {
-  const copy = h(
-    'button',
-    { type: 'button', class: 'btn btn-icon', 'aria-label': TEXT.pose.copy, title: TEXT.pose.copy },
-    icon('copy'),
-  );
-  const outputs = POSE_NAMES.map(() => h('output', {}));
-  const unitMarks = POSE_NAMES.map(() => h('span', { class: 'unit' }));
-  fill(
-    host,
-    h(
-      'header',
-      {},
-      h('h2', {}, TEXT.pose.title),
-      h('span', { class: 'soft' }, TEXT.pose.frame),
-      h('span', { class: 'grow' }),
-      h('span', { class: 'soft', title: TEXT.pose.conventionDetail }, TEXT.pose.convention),
-      copy,
-    ),
-    h(
-      'div',
-      { class: 'body pose' },
-      ROWS.map((k) =>
-        h('div', {}, h('b', { class: k < 3 ? `axis-${'xyz'[k]}` : 'soft' }, POSE_NAMES[k]), outputs[k], unitMarks[k]),
-      ),
-    ),
-  );
+export function createPosePanel(page, host) {
+  const { store, addView, derived } = page;
+  const parts = createParts();
+  fill(host, parts.header, parts.bar, parts.body, parts.note);
 
-  const shown = () => derived.xyzwpr(store.state.doc);
-  const unitFor = (/** @type {number} */ k) => store.state.doc.robot.units[k < 3 ? 'length' : 'angle'];
+  const unitsNow = () => store.state.doc.robot.units;
+  const unitFor = (/** @type {number} */ k) => unitsNow()[k < 3 ? 'length' : 'angle'];
+  const freeAngle = memo((/** @type {Float64Array} */ T) => eulerNumbers('xyz', T, unitsNow()).setToZero);
 
-  $(copy).on('click', async () => {
-    const text = copyable(shown());
-    announce((await copyText(text)) ? TEXT.pose.copied : TEXT.pose.copyFailed);
+  /** @type {ReturnType<typeof createPoseGrid>} */
+  let grid;
+  const removeViews = [
+    addView(
+      together(({ doc }) => [doc.robot.units, derived.xyzwpr(doc)]),
+      ([units, numbers]) => {
+        if (parts.body.dataset.units !== `${units.length} ${units.angle}`) {
+          grid = createPoseGrid(POSE_NAMES.map((label, k) => ({ label, unit: unitSign(unitFor(k)) })));
+          fill(parts.body, grid.element);
+          parts.body.dataset.units = `${units.length} ${units.angle}`;
+        }
+        grid.draw(numbers.map((value, k) => poseNumber(value, unitFor(k))));
+      },
+    ),
+    addView(
+      ({ doc }) => freeAngle(derived.tcp(doc)),
+      (free) => {
+        parts.note.hidden = free === null;
+        parts.note.textContent = free === null ? '' : TEXT.pose.locked('W', 'R', 'R');
+      },
+    ),
+  ];
+
+  /** @type {Promise<typeof import('./numbersPanel.js')> | null} */
+  let fetched = null;
+  /** What failed to come once may come the next time. */
+  const fetchPanel = () =>
+    (fetched ??= import('./numbersPanel.js').catch((error) => {
+      fetched = null;
+      throw error;
+    }));
+  // What is under the hand may be wanted next; if it does not come, that is said when it is asked for.
+  $(host).on('pointerover focusin', () => void fetchPanel().catch(() => {}));
+  $(host).on('click', '[data-ask]', async ({ currentTarget }) => {
+    try {
+      const { runNumbersPanel } = await fetchPanel();
+      if (!removeViews.length) return; // a second click while the first was fetching
+      $(host).off();
+      for (const remove of removeViews.splice(0)) remove();
+      runNumbersPanel(page, parts);
+      currentTarget.click();
+    } catch (error) {
+      page.messages.fault(error);
+    }
   });
 
-  addView(
-    ({ doc }) => derived.xyzwpr(doc),
-    (numbers) =>
-      numbers.forEach((value, k) => {
-        outputs[k].value = poseNumber(value, unitFor(k));
-        unitMarks[k].textContent = unitSign(unitFor(k));
-      }),
-  );
+  /** The pose in words. */
+  const inWords = () =>
+    TEXT.pose.spoken(
+      derived
+        .xyzwpr(store.state.doc)
+        .map((value, k) => `${POSE_NAMES[k]} ${withUnit(poseNumber(value, unitFor(k)), unitFor(k))}`)
+        .join(', '),
+    );
+  sayAtRest(page, inWords);
+  return { inWords };
+}
 
+/** The panel's own elements, which stay whatever they show. */
+function createParts() {
+  const caret = () => icon('caret', 'caret');
+  const frameText = h('span', { class: 'soft' }, TEXT.pose.frame);
+  const titleText = h('span', {}, TEXT.pose.title);
+  const frames = h(
+    'button',
+    { type: 'button', class: 'btn quiet', 'data-ask': 'frames', title: TEXT.pose.chooseFrames },
+    titleText,
+    ' ',
+    frameText,
+    caret(),
+  );
+  const formText = h('span', {}, TEXT.pose.convention);
+  const form = h(
+    'button',
+    { type: 'button', class: 'btn quiet soft', 'data-ask': 'form', title: TEXT.pose.conventionDetail },
+    formText,
+    caret(),
+  );
+  const copy = h(
+    'button',
+    {
+      type: 'button',
+      class: 'btn btn-icon',
+      'data-ask': 'copy',
+      'aria-label': TEXT.pose.copy,
+      title: TEXT.pose.copy,
+    },
+    icon('copy'),
+  );
+  const copyMore = h(
+    'button',
+    {
+      type: 'button',
+      class: 'btn split',
+      'data-ask': 'copyMore',
+      'aria-label': TEXT.pose.copyMore,
+      title: TEXT.pose.copyMore,
+    },
+    caret(),
+  );
+  const tabs = /** @type {const} */ (['pose', 'matrix', 'links']).map((tab) =>
+    h(
+      'button',
+      {
+        type: 'button',
+        'data-ask': tab,
+        'aria-pressed': String(tab === 'pose'),
+        'aria-label': tab === 'links' ? TEXT.pose.tabDetail.links : null,
+        title: TEXT.pose.tabDetail[tab],
+      },
+      tab === 'links' ? symbol('A', 'i') : TEXT.pose.tab[tab],
+    ),
+  );
+  /** @param {Element} button */
+  const dropdown = (button) => h('div', { class: 'dropdown' }, button);
   return {
-    /** The pose in words, for the view's text twin. */
-    inWords: () =>
-      TEXT.pose.spoken(
-        shown()
-          .map((value, k) => `${POSE_NAMES[k]} ${withUnit(poseNumber(value, unitFor(k)), unitFor(k))}`)
-          .join(', '),
-      ),
+    ...{ frames, titleText, frameText, form, formText, copy, copyMore, tabs },
+    header: h(
+      'header',
+      {},
+      h('h2', {}, dropdown(frames)),
+      h('span', { class: 'grow' }),
+      h('div', { class: 'split-pair' }, copy, dropdown(copyMore)),
+    ),
+    bar: h(
+      'div',
+      { class: 'pose-bar' },
+      h('div', { class: 'seg', role: 'group', 'aria-label': TEXT.pose.tabs }, tabs),
+      h('span', { class: 'grow' }),
+      dropdown(form),
+    ),
+    body: h('div', { class: 'body' }),
+    note: h('p', { class: 'pose-note sm soft', hidden: true }),
   };
+}
+
+/** @typedef {ReturnType<typeof createParts>} PoseParts */
+
+/**
+ * A screen reader hears where the tool has come to, once the arm rests; in a region of its own, so that it does not talk
+ * over what the command itself had to say.
+ * @param {Page} page
+ * @param {() => string} inWords
+ */
+function sayAtRest({ addView, derived, clock }, inWords) {
+  const say = createAnnouncer();
+  /** @type {readonly number[] | undefined} */
+  let said;
+  let cancel = () => {};
+  addView(
+    together(({ doc, gesture, session }) => [derived.xyzwpr(doc), gesture === null && session.heldJoint === null]),
+    ([pose, isAtRest]) => {
+      cancel();
+      said ??= pose; // where it stands at first is no news
+      if (!isAtRest || pose.every((value, k) => value === said?.[k])) return;
+      cancel = clock.after(REST_SECONDS, () => {
+        said = pose;
+        say(inWords());
+      });
+    },
+  );
 }

@@ -7,8 +7,10 @@
  * @typedef {readonly (string | readonly [letter: string, index: string])[]} Parts  text, and symbols with their index
  */
 import { isSliding, quantityOf } from '../model/document.js';
+import { isInside } from '../model/jogRange.js';
 import { fromKernel } from '../model/units.js';
 import { editable, jointNumber, plain, poseNumber, unitOf, withUnit } from './format.js';
+import { TEXT } from './strings.js';
 
 /** @type {Record<DhField, string>} */
 const LETTER = { theta: 'θ', d: 'd', a: 'a', alpha: 'α' };
@@ -25,7 +27,9 @@ export function createSceneText({ store }) {
     jointValue(index) {
       const joint = robot().joints[index];
       const unit = unitOf(joint, robot().units);
-      return `J${index + 1} ${withUnit(jointNumber(store.state.doc.posture[index], unit), unit)}`;
+      const value = store.state.doc.posture[index];
+      const text = `J${index + 1} ${withUnit(jointNumber(value, unit), unit)}`;
+      return isInside(joint, value) ? text : TEXT.jog.outsideShort(text);
     },
 
     /** @param {number} index @param {'lower' | 'upper'} which */

@@ -109,7 +109,7 @@ test('a joint is moved by keys alone, and a value beyond its stop is refused in 
   await open(page);
   await page.getByLabel('Joint 1', { exact: true }).focus();
   for (let i = 0; i < 5; i++) await page.keyboard.press('ArrowRight');
-  expect((await page.evaluate(() => window.denavit.joints()))[0]).toBeCloseTo(0.5, 9);
+  expect((await page.evaluate(() => window.denavit.joints()))[0]).toBeCloseTo(5, 9);
   const field = page.getByLabel('Joint 2, degrees');
   await field.fill('226');
   await page.keyboard.press('Enter');
@@ -250,7 +250,7 @@ test('a held arrow key is one undo step, and the ends of the travel can be reach
   await page.keyboard.down('ArrowRight');
   for (let i = 0; i < 4; i++) await page.keyboard.down('ArrowRight'); // what the keyboard repeats while it is held
   await page.keyboard.up('ArrowRight');
-  expect((await page.evaluate(() => window.denavit.joints()))[0]).toBeCloseTo(0.5, 9);
+  expect((await page.evaluate(() => window.denavit.joints()))[0]).toBeCloseTo(5, 9);
   await page.keyboard.press('Control+z');
   expect((await page.evaluate(() => window.denavit.joints()))[0]).toBe(0);
   await page.keyboard.press('End');

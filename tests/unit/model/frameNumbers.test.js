@@ -2,10 +2,12 @@
 import { expect, test } from 'vitest';
 import { linkFrames, tcpPose } from '../../../src/kinematics/forward.js';
 import { compilePosture, compileRobot } from '../../../src/model/compile.js';
-import { frameSeenFrom, framesOf, hasFrame } from '../../../src/model/frameNumbers.js';
-import { LIBRARY } from '../../../src/model/library.js';
+import { frameSeenFrom, framesOf } from '../../../src/model/frameNumbers.js';
+import { LIBRARY, newDocument } from '../../../src/model/library.js';
 import { LINK_MOTIONS, LINK_SYMBOLS, linkRows, linkTransform } from '../../../src/model/linkTransforms.js';
+import { FIRST_NUMBERS, fitNumbers } from '../../../src/model/numbersView.js';
 import { rowsOf } from '../../../src/model/poseRows.js';
+import { reduce, startState } from '../../../src/model/session.js';
 
 /** @param {number[][]} A @param {number[][]} B */
 const times = (A, B) => A.map((row) => B[0].map((_, j) => row.reduce((sum, value, k) => sum + value * B[k][j], 0)));
@@ -106,9 +108,20 @@ test('a right angle in a row leaves no dirt in its matrix', () => {
   ]);
 });
 
-test('a frame that the robot has not is known to be missing', () => {
+test('a choice of frames is kept as long as the robot has them', () => {
   const { robot } = stand('planar2r');
   expect(framesOf(robot)).toEqual(['tool', 'flange', 1, 2, 0, 'world']);
-  expect(framesOf(robot).every((frame) => hasFrame(frame, robot))).toBe(true);
-  expect(hasFrame(3, robot)).toBe(false);
+  for (const frame of framesOf(robot)) {
+    const numbers = { ...FIRST_NUMBERS, frame, from: frame };
+    expect(fitNumbers(numbers, robot)).toBe(numbers);
+  }
+  const far = { ...FIRST_NUMBERS, frame: 3, from: 6, form: 'abc' };
+  expect(fitNumbers(far, robot)).toEqual({ ...far, frame: 'flange', from: 'flange' });
+});
+
+test('how numbers are shown stays when another robot is opened', () => {
+  const state = startState(newDocument(LIBRARY.puma560));
+  const shown = reduce(state, { type: 'show', change: { numbers: { ...FIRST_NUMBERS, frame: 5, form: 'abc' } } });
+  const opened = reduce(shown, { type: 'replace-document', doc: newDocument(LIBRARY.planar2r) });
+  expect(opened.session.numbers).toEqual({ ...FIRST_NUMBERS, frame: 'flange', form: 'abc' });
 });

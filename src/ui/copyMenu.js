@@ -2,7 +2,7 @@
  * Copying what the panel shows, and what it does not: a press copies again as the last time, the menu beside it says as what.
  *
  * @import { Page } from './page.js'
- * @import { PoseParts } from './posePanel.js'
+ * @import { PoseParts } from './poseParts.js'
  * @import { CopySheet, CopyFormat } from '../model/copyText.js'
  */
 import { KERNEL_UNITS } from '../model/copySheets.js';

@@ -3,7 +3,7 @@
  * matrix or link by link, and copied. Fetched when it is first needed.
  *
  * @import { Page } from './page.js'
- * @import { PoseParts } from './posePanel.js'
+ * @import { PoseParts } from './poseParts.js'
  * @import { Copied } from './copyMenu.js'
  * @import { AppState } from '../model/session.js'
  * @import { CopySheet } from '../model/copyText.js'

@@ -18,9 +18,9 @@ import { version } from '../package.json';
 import { SCHEMA, readQueryParameters } from './io/queryParameters.js';
 import { createManualClock } from './model/clock.js';
 import { createDerived } from './model/derived.js';
-import { newDocument } from './model/newDocument.js';
 import { reduce, startState } from './model/session.js';
 import { FIRST_ROBOT, firstRobot, loadRobot } from './model/shelf.js';
+import { startDocument } from './model/startDocument.js';
 import { createStore } from './model/store.js';
 import { createViews } from './model/views.js';
 import { createRobotView } from './render/robotView.js';
@@ -34,23 +34,21 @@ import { createJogPanel } from './ui/jogPanel.js';
 import { lazyPanel } from './ui/lazyPanel.js';
 import { createMessages } from './ui/messages.js';
 import { createOpener } from './ui/opener.js';
+import { refusedInWords, startFaultInWords } from './ui/parameterWarnings.js';
 import { createPosePanel } from './ui/posePanel.js';
 import { createScripting } from './ui/scripting.js';
 import { createShell, runPanels } from './ui/shell.js';
 import { createShortcuts } from './ui/shortcuts.js';
-import { TEXT } from './ui/strings.js';
 import { createTheme } from './ui/theme.js';
 import { createViewPanel } from './ui/viewPanel.js';
 
 const { values: parameters, refused } = readQueryParameters(location.search, SCHEMA);
 const manualClock = parameters.clock === 'manual' ? createManualClock() : null;
 const clock = manualClock ?? createBrowserClock();
-const shell = createShell();
+const shell = createShell(parameters.panels);
 const messages = createMessages(shell.notices);
 const theme = createTheme(parameters.theme);
-for (const { name, text, initial } of refused) {
-  messages.warn(initial === null ? TEXT.parameter.unknown(name) : TEXT.parameter.notUnderstood(name, text, initial));
-}
+refusedInWords(refused).forEach(messages.warn);
 
 /** @type {() => void} */
 let sayReady = () => {};
@@ -59,19 +57,29 @@ const ready = new Promise((/** @type {(value: void) => void} */ resolve) => (say
 window.denavit = /** @type {Window['denavit']} */ ({ ready, clock: manualClock });
 
 // No top-level await: what is fetched here may import from this very file, and each would wait for the other.
-if (parameters.robot === FIRST_ROBOT) stand(firstRobot);
-else {
-  const fetched = loadRobot(parameters.robot).catch((error) => {
+if (parameters.robot === FIRST_ROBOT) {
+  stand(
+    firstRobot,
+    refused.some(({ name, why }) => name === 'robot' && why === 'not-understood'),
+  );
+} else {
+  loadRobot(parameters.robot).then(stand, (error) => {
     messages.fault(error);
-    return firstRobot;
+    stand(firstRobot, true);
   });
-  fetched.then(stand);
 }
 
-/** Puts up the page around its first robot. @param {RobotDoc} robot */
-function stand(robot) {
+/**
+ * Puts up the page around its first robot.
+ * @param {RobotDoc} robot
+ * @param {boolean} [isOther]  than the one that was asked for
+ */
+function stand(robot, isOther = false) {
+  const { units, q } = parameters;
+  const { doc, faults } = startDocument(robot, { units, q, isOther });
+  for (const fault of faults) messages.warn(startFaultInWords(fault, robot.name));
   /** @type {Store<AppState, Action>} */
-  const store = createStore(startState(newDocument(robot)), reduce);
+  const store = createStore(startState(doc), reduce);
   const derived = createDerived();
   const addView = createViews(store, clock, { onError: messages.fault });
   const page = { store, addView, derived, clock, announce: createAnnouncer(), messages, opener: createOpener(store) };

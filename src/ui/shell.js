@@ -4,6 +4,7 @@
  *
  * @import { Page } from './page.js'
  * @import { IconName } from './icons.js'
+ * @import { Room } from '../io/queryParameters.js'
  * @import { Panel, Tab } from '../model/session.js'
  */
 import $ from 'jquery/slim';
@@ -15,35 +16,71 @@ import { TEXT } from './strings.js';
 /** @type {Record<Panel, IconName>} */
 const PANEL_ICON = { robot: 'table', jog: 'sliders', aim: 'target', program: 'list', code: 'codeSlash' };
 
-/** Empty rooms, before anything is known. */
-export function createShell() {
+/**
+ * Empty rooms, before anything is known.
+ * @param {readonly Room[] | null} [asked]  the only ones beside the view, the first of them open; null: all
+ */
+export function createShell(asked = null) {
+  const has = (/** @type {Room} */ room) => asked === null || asked.includes(room);
   const rooms = {
-    bar: h('header', { class: 'topbar' }),
+    bar: h('header', { class: 'topbar', hidden: !has('bar') }),
     tablist: h('div', { class: 'tabs', role: 'tablist', 'aria-label': TEXT.panels.left }),
     /** @type {Record<Tab, HTMLElement>} */
     tabs: { robot: tabPanel('robot'), program: tabPanel('program'), code: tabPanel('code') },
     view: h('main', { class: 'view', 'aria-label': TEXT.panels.view }),
-    jog: h('section', { class: 'sec jog-panel', 'data-room': 'jog' }),
-    pose: h('section', { class: 'sec pose-panel', 'data-room': 'pose' }),
-    aim: h('section', { class: 'sec aim-panel', 'data-room': 'aim' }),
+    jog: h('section', { class: 'sec jog-panel', 'data-room': 'jog', hidden: !has('jog') }),
+    pose: h('section', { class: 'sec pose-panel', 'data-room': 'pose', hidden: !has('pose') }),
+    aim: h('section', { class: 'sec aim-panel', 'data-room': 'aim', hidden: !has('aim') }),
     dock: h('nav', { class: 'dock', 'aria-label': TEXT.panels.label }),
     notices: h('div', { class: 'notices' }),
   };
+  const shownTabs = TABS.filter(has);
+  const shownPanels = PANELS.filter((panel) => has(panel) || (panel === 'jog' && has('pose')));
+  const hasRight = has('jog') || has('pose') || has('aim');
+  rooms.dock.style.setProperty('--panels', String(shownPanels.length));
   const app = h(
     'div',
-    { class: 'app' },
+    {
+      class: 'app',
+      'data-bar': has('bar') ? null : 'none',
+      'data-left': shownTabs.length > 0 ? null : 'none',
+      'data-right': hasRight ? null : 'none',
+    },
     rooms.bar,
-    h('aside', { class: 'side left', 'aria-label': TEXT.panels.left }, rooms.tablist, Object.values(rooms.tabs)),
+    h(
+      'aside',
+      { class: 'side left', 'aria-label': TEXT.panels.left, hidden: shownTabs.length === 0 },
+      rooms.tablist,
+      Object.values(rooms.tabs),
+    ),
     rooms.view,
-    h('aside', { class: 'side right', 'aria-label': TEXT.panels.right }, rooms.jog, rooms.pose, rooms.aim),
+    h(
+      'aside',
+      { class: 'side right', 'aria-label': TEXT.panels.right, hidden: !hasRight },
+      rooms.jog,
+      rooms.pose,
+      rooms.aim,
+    ),
     rooms.dock,
     rooms.notices,
   );
+  if (!has('bar')) {
+    const whole = { href: wholePage(), target: '_blank', rel: 'noopener' };
+    app.append(h('a', { class: 'open-whole', ...whole }, TEXT.openWhole));
+  }
   document.body.append(app);
-  return { app, ...rooms };
+  const first = asked?.[0] === 'pose' ? 'jog' : asked?.find((room) => room !== 'bar' && room !== 'pose');
+  return { app, ...rooms, shownTabs, shownPanels, first: PANELS.find((panel) => panel === first) ?? null };
 }
 
 /** @typedef {ReturnType<typeof createShell>} Shell */
+
+/** The address of this page with everything on it. */
+function wholePage() {
+  const query = new URLSearchParams(location.search);
+  for (const name of ['panels', 'hint']) query.delete(name);
+  return `?${query}`;
+}
 
 /** @param {Tab} tab */
 const tabPanel = (tab) =>
@@ -60,8 +97,10 @@ const tabPanel = (tab) =>
  * @param {Page} page
  * @param {Shell} shell
  */
-export function runPanels(page, { app, tablist, tabs, dock }) {
-  const tabButtons = TABS.map((tab) =>
+export function runPanels(page, { app, tablist, tabs, dock, shownTabs, shownPanels, first }) {
+  if (first) openPanel(page, first);
+  else if (shownTabs.length > 0) page.store.dispatch({ type: 'show', change: { tab: shownTabs[0] } });
+  const tabButtons = shownTabs.map((tab) =>
     h(
       'button',
       { type: 'button', role: 'tab', id: `tab-${tab}`, 'aria-controls': `panel-${tab}`, 'data-opens': tab },
@@ -75,12 +114,12 @@ export function runPanels(page, { app, tablist, tabs, dock }) {
       const step = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0;
       if (!step) return;
       event.preventDefault();
-      const next = tabButtons[(tabButtons.indexOf(event.currentTarget) + step + TABS.length) % TABS.length];
+      const next = tabButtons[(tabButtons.indexOf(event.currentTarget) + step + shownTabs.length) % shownTabs.length];
       next.focus();
       next.click();
     });
 
-  for (const panel of PANELS) {
+  for (const panel of shownPanels) {
     dock.append(
       h('button', { type: 'button', 'data-opens': panel }, icon(PANEL_ICON[panel]), h('span', {}, TEXT.panels[panel])),
     );
@@ -92,9 +131,9 @@ export function runPanels(page, { app, tablist, tabs, dock }) {
     (open) => {
       app.dataset.tab = open;
       tabButtons.forEach((button, i) => {
-        button.setAttribute('aria-selected', String(TABS[i] === open));
-        button.tabIndex = TABS[i] === open ? 0 : -1;
-        tabs[TABS[i]].classList.toggle('is-open', TABS[i] === open);
+        button.setAttribute('aria-selected', String(shownTabs[i] === open));
+        button.tabIndex = shownTabs[i] === open ? 0 : -1;
+        tabs[shownTabs[i]].classList.toggle('is-open', shownTabs[i] === open);
       });
     },
   );

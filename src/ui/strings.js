@@ -7,9 +7,10 @@ import { AIM, VERDICT } from './words/aim.js';
 import { BAR } from './words/bar.js';
 import { CODE } from './words/code.js';
 import { FILES } from './words/files.js';
-import { NUMBER, PARAMETER } from './words/input.js';
+import { NUMBER } from './words/input.js';
 import { JOG } from './words/jog.js';
 import { LIBRARY } from './words/library.js';
+import { PARAMETER } from './words/parameters.js';
 import { POSE } from './words/pose.js';
 import { PROGRAM } from './words/program.js';
 import { STRUCTURE } from './words/structure.js';
@@ -28,6 +29,7 @@ export const TEXT = {
     'Everything else goes on working. Look whether the connection stands; if it does, save the robot and load the page again.',
   notFetchedNow: 'A part of the page could not be fetched. Look whether the connection stands, then try again.',
   tryAgain: 'Try again',
+  openWhole: 'Open in Denavit',
   noWebGl:
     'This browser shows no 3-D graphics (WebGL is off or missing), so the arm cannot be drawn. The table, the joints and the poses go on working.',
   done: { undo: 'Undone.', redo: 'Done again.' },

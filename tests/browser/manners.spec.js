@@ -13,3 +13,21 @@ test('a panel that cannot be fetched says so, and comes when it is asked for aga
   await panel.getByRole('button', { name: 'Try again' }).click();
   await expect(panel.getByRole('button', { name: 'Record here' })).toBeVisible();
 });
+
+test('the address says where the arm stands, in which units, and what stands beside it', async ({ page }) => {
+  await open(page, 'robot=ur5&q=0.1,-1,1,0,0.5,0&units=m,rad&panels=view,jog,pose');
+  expect(await page.evaluate(() => window.denavit.joints())).toEqual([0.1, -1, 1, 0, 0.5, 0]);
+  await expect(page.getByLabel('Joint 2, radians')).toHaveValue('−1.000');
+  await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
+  await expect(page.getByRole('tab')).toHaveCount(0);
+  await expect(page.locator('.aim-panel')).toBeHidden();
+  await page.setViewportSize({ width: 390, height: 700 });
+  await expect(page.locator('.pose-panel')).toBeVisible();
+  expect((await page.locator('.view').boundingBox())?.width).toBe(390);
+
+  await open(page, 'panels=none&q=1,2');
+  await expect(page.getByRole('alert')).toHaveText('?q was left out: it has 2 values, and Puma 560 has 6 joints.');
+  await expect(page.getByRole('banner')).toBeHidden();
+  expect(await page.locator('.view').boundingBox()).toEqual({ x: 0, y: 0, width: 390, height: 700 });
+  await expect(page.getByRole('link', { name: 'Open in Denavit' })).toHaveAttribute('href', /q=1/);
+});

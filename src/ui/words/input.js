@@ -1,4 +1,4 @@
-/** What is said against a number or a query parameter. */
+/** What is said against a number. */
 
 export const NUMBER = {
   empty: 'A number is needed here, such as 431.8.',
@@ -6,10 +6,4 @@ export const NUMBER = {
   notANumber: (/** @type {string} */ text) => `“${text}” is not a number; expected one such as 431.8.`,
   tooLarge: 'The number is too large; at most 1e9.',
   notLoaded: 'Only plain numbers go now: what works out expressions did not load.',
-};
-
-export const PARAMETER = {
-  notUnderstood: (/** @type {string} */ name, /** @type {string} */ text, /** @type {string} */ initial) =>
-    `?${name}=${text} is not understood; using ${initial}.`,
-  unknown: (/** @type {string} */ name) => `There is no ?${name} parameter.`,
 };

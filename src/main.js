@@ -22,7 +22,9 @@ import { reduce, startState } from './model/session.js';
 import { FIRST_ROBOT, firstRobot, loadRobot } from './model/shelf.js';
 import { startDocument } from './model/startDocument.js';
 import { createStore } from './model/store.js';
+import { fromKernel } from './model/units.js';
 import { createViews } from './model/views.js';
+import { automaticRadii } from './render/automaticRadii.js';
 import { createRobotView } from './render/robotView.js';
 import { createAimPanel } from './ui/aimPanel.js';
 import { createAnnouncer } from './ui/announce.js';
@@ -36,6 +38,7 @@ import { createMessages } from './ui/messages.js';
 import { createOpener } from './ui/opener.js';
 import { refusedInWords, startFaultInWords } from './ui/parameterWarnings.js';
 import { createPosePanel } from './ui/posePanel.js';
+import { createRobotSections } from './ui/robotSections.js';
 import { createScripting } from './ui/scripting.js';
 import { createShell, runPanels } from './ui/shell.js';
 import { createShortcuts } from './ui/shortcuts.js';
@@ -88,6 +91,10 @@ function stand(robot, isOther = false) {
   createBar(page, shell.bar, { files, theme });
   runPanels(page, shell);
   createDhTable(page, shell.tabs.robot);
+  createRobotSections(page, shell.tabs.robot, {
+    automaticRadii: ({ units }) =>
+      automaticRadii(derived.chain(store.state.doc)).map((radius) => fromKernel('length', radius, units)),
+  });
   lazyPanel(
     page,
     shell.tabs.program,

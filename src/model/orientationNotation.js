@@ -69,7 +69,3 @@ export function withOrientation({ xyz }, notation, numbers, units) {
   );
   return { xyz, rpy: rollPitchYawOf(T).map((value) => readAngle(value, units.angle)) };
 }
-
-/** Whether a pose moves and turns nothing. @param {PoseDoc} pose */
-export const isNoPose = ({ xyz, rpy = ORIGIN, quaternion = [0, 0, 0, 1] }) =>
-  [...xyz, ...rpy, ...quaternion.slice(0, 3)].every((value) => value === 0);

@@ -7,6 +7,7 @@
  * @property {boolean} [isChosen]  it holds already
  * @property {string | null} [against]  why it cannot be taken, in place of the detail
  * @property {() => void} [run]
+ * @property {HTMLElement | null} [preview]  what it would do, below it
  *
  * @typedef {readonly Choice[]} Group
  */
@@ -42,8 +43,13 @@ export function withChoices(button, choices, { className = '', inset = 0 } = {})
   return dropdown;
 }
 
+/** What the choices of an open menu wait for has come: show them anew. @param {HTMLButtonElement} button */
+export function refill(button) {
+  if (button.getAttribute('aria-expanded') === 'true') button.dispatchEvent(new CustomEvent('show.bs.dropdown'));
+}
+
 /** @param {Choice} choice */
-function item({ title, detail, isChosen = false, against = null, run }) {
+function item({ title, detail, isChosen = false, against = null, run, preview = null }) {
   const small = against ?? detail;
   const button = h(
     'button',
@@ -58,5 +64,5 @@ function item({ title, detail, isChosen = false, against = null, run }) {
     small && h('small', {}, small),
   );
   if (run && !isChosen) button.addEventListener('click', run);
-  return h('li', {}, button);
+  return h('li', {}, button, preview);
 }

@@ -8,7 +8,7 @@ import { applyCommand } from '../model/commands.js';
 import { createDerived } from '../model/derived.js';
 import { refusal } from '../model/refusals.js';
 import { fromKernel } from '../model/units.js';
-import { withChoices } from './choices.js';
+import { refill, withChoices } from './choices.js';
 import { fill, h, spoken } from './dom.js';
 import { poseNumber, withUnit } from './format.js';
 import { icon } from './icons.js';
@@ -26,6 +26,22 @@ export function createConventionMenu(page, say) {
   const { store, addView } = page;
   const derived = createDerived(); // of its own: what the page has derived stays remembered
   const button = h('button', { type: 'button', class: 'btn btn-outline' });
+  /** @type {typeof import('./conventionPreview.js') | null} */
+  let previews = null;
+  // Without them the menu says what matters in words: a failure to fetch is no fault of it.
+  let isAsked = false;
+  async function fetchPreviews() {
+    if (isAsked) return;
+    isAsked = true;
+    try {
+      previews = await import('./conventionPreview.js');
+      refill(button);
+    } catch {
+      isAsked = false;
+    }
+  }
+  button.addEventListener('pointerenter', fetchPreviews, { once: true });
+  button.addEventListener('focus', fetchPreviews, { once: true });
 
   /** How far the tool is from one document to the other, in words. @param {Doc} before @param {Doc} after */
   function distance(before, after) {
@@ -46,41 +62,49 @@ export function createConventionMenu(page, say) {
         icon('caret', 'caret'),
       ),
   );
-  return withChoices(button, () => {
-    const { doc } = store.state;
-    const { convention: now } = doc.robot;
-    const convention = otherThan(now);
-    const name = TEXT.structure.conventionName[convention];
-    const convert = /** @type {const} */ ({ type: 'convert-convention', convention });
-    const reread = /** @type {const} */ ({ type: 'reinterpret-convention', convention });
-    const moved = distance(doc, applyCommand(doc, reread));
-    return {
-      groups: [
-        [{ title: TEXT.table.conventionName[now], detail: TEXT.structure.conventionDetail[now], isChosen: true }],
-        [
-          {
-            title: TEXT.structure.convert(name),
-            detail: TEXT.structure.convertDetail,
-            against: refusal(doc, convert)?.message ?? null,
-            run() {
-              if (attempt(page, convert) !== null) return;
-              const { base, tool } = store.state.doc.robot;
-              const changed = [
-                base !== doc.robot.base && TEXT.structure.baseChanged,
-                tool !== doc.robot.tool && TEXT.structure.toolChanged,
-              ];
-              say([TEXT.structure.convertedTo(name), ...changed].filter(Boolean).join(' '));
+  return withChoices(
+    button,
+    () => {
+      fetchPreviews();
+      const { doc } = store.state;
+      const { convention: now } = doc.robot;
+      const convention = otherThan(now);
+      const name = TEXT.structure.conventionName[convention];
+      const convert = /** @type {const} */ ({ type: 'convert-convention', convention });
+      const reread = /** @type {const} */ ({ type: 'reinterpret-convention', convention });
+      const against = refusal(doc, convert);
+      const moved = distance(doc, applyCommand(doc, reread));
+      return {
+        groups: [
+          [{ title: TEXT.table.conventionName[now], detail: TEXT.structure.conventionDetail[now], isChosen: true }],
+          [
+            {
+              title: TEXT.structure.convert(name),
+              detail: TEXT.structure.convertDetail,
+              against: against?.message ?? null,
+              preview: against ? null : (previews?.previewConversion(doc, convention) ?? null),
+              run() {
+                if (attempt(page, convert) !== null) return;
+                const { base, tool } = store.state.doc.robot;
+                const changed = [
+                  base !== doc.robot.base && TEXT.structure.baseChanged,
+                  tool !== doc.robot.tool && TEXT.structure.toolChanged,
+                ];
+                say([TEXT.structure.convertedTo(name), ...changed].filter(Boolean).join(' '));
+              },
             },
-          },
-          {
-            title: TEXT.structure.reread(name),
-            detail: TEXT.structure.rereadDetail(moved),
-            run() {
-              if (attempt(page, reread) === null) say(TEXT.structure.rereadAs(name, moved));
+            {
+              title: TEXT.structure.reread(name),
+              detail: previews ? TEXT.structure.rereadPlain : TEXT.structure.rereadDetail(moved),
+              preview: previews?.previewReading(doc, convention) ?? null,
+              run() {
+                if (attempt(page, reread) === null) say(TEXT.structure.rereadAs(name, moved));
+              },
             },
-          },
+          ],
         ],
-      ],
-    };
-  });
+      };
+    },
+    { className: 'is-wide' },
+  );
 }

@@ -50,8 +50,7 @@ export function createDhTable(page, host) {
   const table = h('table', { class: 'grid', 'aria-label': TEXT.table.title });
   const structure = createStructureControls(page);
   const cellLine = createCellLine(page);
-  const source = h('p', { class: 'source soft sm' });
-  fill(host, structure.head, h('div', { class: 'grid-scroll' }, table), structure.foot, cellLine.element, source);
+  fill(host, structure.head, h('div', { class: 'grid-scroll' }, table), structure.foot, cellLine.element);
   /** @type {CellEditor[][]} one row for each joint */
   let cells = [];
   /** @type {HTMLButtonElement[]} at the head of each row */
@@ -215,7 +214,6 @@ export function createDhTable(page, host) {
       if (wanted !== shape) build(robot);
       shape = wanted;
       draw(robot);
-      fill(source, robot.info.source ? [h('b', {}, TEXT.table.source), ' ', robot.info.source] : null);
     },
   );
   addView(

@@ -11,6 +11,7 @@ import { isInside, zeroPosture } from '../model/jogRange.js';
 import { together } from '../model/views.js';
 import { fill, h } from './dom.js';
 import { jointNumber, unitOf, withUnit } from './format.js';
+import { createGoToMenu } from './goToMenu.js';
 import { icon } from './icons.js';
 import { createJogRow, limitsInWords } from './jogRow.js';
 import { TEXT } from './strings.js';
@@ -34,7 +35,7 @@ export function createJogPanel(page, host) {
   const reasonLine = h('p', { class: 'reason sm', id: 'jog-reason', role: 'note' });
   fill(
     host,
-    h('header', {}, h('h2', {}, TEXT.jog.title), h('span', { class: 'grow' }), zero, home),
+    h('header', {}, h('h2', {}, TEXT.jog.title), h('span', { class: 'grow' }), zero, home, createGoToMenu(page)),
     list,
     keepRow,
     reasonLine,

@@ -14,6 +14,7 @@ import { h, spoken } from './dom.js';
 import { jointIcon } from './format.js';
 import { icon } from './icons.js';
 import { attempt } from './page.js';
+import { openJointDetails } from './robotSections.js';
 import { TEXT } from './strings.js';
 
 /** @type {readonly JointType[]} */
@@ -81,6 +82,7 @@ export function createJointMenu(page, row, { say, goTo }) {
     const last = store.state.doc.robot.joints.length - 1;
     return {
       groups: [
+        [{ title: TEXT.robot.details(name), run: () => openJointDetails(page, row) }],
         TYPES.map(typeChoice),
         [
           act(words.addAfter(name), { type: 'add-joint', after: row }, row + 1, words.added(`J${row + 2}`)),

@@ -13,6 +13,7 @@ import { LIBRARY } from './words/library.js';
 import { PARAMETER } from './words/parameters.js';
 import { POSE } from './words/pose.js';
 import { PROGRAM } from './words/program.js';
+import { ROBOT } from './words/robot.js';
 import { STRUCTURE } from './words/structure.js';
 import { TABLE, DEFINITION } from './words/table.js';
 import { PANELS, VIEW } from './words/view.js';
@@ -46,6 +47,7 @@ export const TEXT = {
   parameter: PARAMETER,
   pose: POSE,
   program: PROGRAM,
+  robot: ROBOT,
   structure: STRUCTURE,
   table: TABLE,
   verdict: VERDICT,

@@ -7,7 +7,7 @@ export const FIRST_ROBOT = 'puma560';
 export const PUMA_560 = deepFreeze(
   robot(
     'Puma 560',
-    'Corke and Armstrong-Hélouvry, ICRA 1994, pp. 1608–1613; limits as Robotics Toolbox for Python 1.5.0',
+    'Corke and Armstrong-Hélouvry, ICRA 1994, pp. 1608–1613, doi:10.1109/ROBOT.1994.351360; limits as Robotics Toolbox for Python 1.5.0',
     [
       turn(0, 671.83, 0, 90, -160, 160, 0),
       turn(0, 0, 431.8, 0, -45, 225, 45),

@@ -16,7 +16,7 @@ export const INDUSTRIAL = {
   ]),
   kuka_kr6_r900: robot(
     'KUKA KR 6 R900 sixx',
-    'Derived from ros-industrial/kuka_experimental @e78bbd1, kr6r900sixx_macro.xacro; joint 1 turns the other way than axis A1',
+    'Derived from https://github.com/ros-industrial/kuka_experimental @e78bbd1, kr6r900sixx_macro.xacro; joint 1 turns the other way than axis A1',
     [
       turn(0, 400, 25, -90, -170, 170, 0),
       turn(0, 0, 455, 0, -190, 45, -80),
@@ -28,7 +28,7 @@ export const INDUSTRIAL = {
   ),
   kuka_kr210_l150: robot(
     'KUKA KR 210 L150',
-    'Lengths rounded to mm, and limits, from ros-industrial/kuka_experimental @e78bbd1, kr210l150_macro.xacro',
+    'Lengths rounded to mm, and limits, from https://github.com/ros-industrial/kuka_experimental @e78bbd1, kr210l150_macro.xacro',
     [
       turn(0, 750, 350, -90, -185, 185, 0),
       turn(-90, 0, 1250, 0, -45, 85, 10),
@@ -40,7 +40,7 @@ export const INDUSTRIAL = {
   ),
   fanuc_lrmate200id: robot(
     'FANUC LR Mate 200iD',
-    'Derived from ros-industrial/fanuc @8fee5e3, lrmate200id_macro.xacro; lengths agree with ARTE. No coupling of J2 and J3',
+    'Derived from https://github.com/ros-industrial/fanuc @8fee5e3, lrmate200id_macro.xacro; lengths agree with ARTE. No coupling of J2 and J3',
     [
       turn(0, 330, 50, -90, -170, 170, 0),
       turn(-90, 0, 330, 180, -100, 145, 15),
@@ -52,7 +52,7 @@ export const INDUSTRIAL = {
   ),
   fanuc_m10ia: robot(
     'FANUC M-10iA',
-    'Derived from ros-industrial/fanuc @8fee5e3, m10ia_macro.xacro; lengths agree with ARTE. No coupling of J2 and J3',
+    'Derived from https://github.com/ros-industrial/fanuc @8fee5e3, m10ia_macro.xacro; lengths agree with ARTE. No coupling of J2 and J3',
     [
       turn(0, 450, 150, -90, -179.9087476710785, 179.9087476710785, 0),
       turn(-90, 0, 600, 180, -89.95437383553924, 159.85522484149968, 10),
@@ -64,7 +64,7 @@ export const INDUSTRIAL = {
   ),
   abb_irb120: robot(
     'ABB IRB 120',
-    'ARTE @a8df0b1, IRB120; limits from ros-industrial/abb_experimental @20b9cf8, irb120_3_58_macro.xacro',
+    'ARTE @a8df0b1, IRB120; limits from https://github.com/ros-industrial/abb_experimental @20b9cf8, irb120_3_58_macro.xacro',
     [
       turn(0, 290, 0, -90, -164.99981288397933, 164.99981288397933, 0),
       turn(-90, 0, 270, 0, -109.99987525598623, 109.99987525598623, 10),

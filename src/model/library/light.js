@@ -5,9 +5,9 @@
 import { robot, turn } from './rows.js';
 
 const UNIVERSAL_ROBOTS =
-  'Universal Robots, “Parameters for calculations of kinematics and dynamics”; limits from the data sheet, ±360°';
+  'Universal Robots, https://www.universal-robots.com/articles/ur/parameters-for-calculations-of-kinematics-and-dynamics; limits from the data sheet, ±360°';
 const KINOVA =
-  'Kinova, “DH Parameters” 1.0.8 (2013), as Robotics Toolbox for Python 1.5.0, with joint 1 counted the other way; limits from Kinovarobotics/kinova-ros @924781d';
+  'Kinova, “DH Parameters” 1.0.8 (2013), as Robotics Toolbox for Python 1.5.0, with joint 1 counted the other way; limits from https://github.com/Kinovarobotics/kinova-ros @924781d';
 
 /** @type {Record<string, RobotDoc>} */
 export const LIGHT = {

@@ -43,6 +43,7 @@ export const STRUCTURE = {
   baseChanged: 'The base changed with the table.',
   toolChanged: 'The tool changed with the table.',
   reread: (/** @type {string} */ name) => `Read the numbers as ${name}`,
+  rereadPlain: 'Same numbers, another robot. The arm changes shape.',
   rereadDetail: (/** @type {string} */ distance) => `Same numbers, another robot. The tool jumps by ${distance}.`,
   rereadAs: (/** @type {string} */ name, /** @type {string} */ distance) =>
     `The numbers are read as ${name} now: another robot. The tool moved by ${distance}.`,

@@ -1,0 +1,18 @@
+/** What belongs to the robot beside its table: the heads that the page shows from the start. */
+
+export const ROBOT = {
+  joint: (/** @type {number} */ i) => `Joint ${i}`,
+  turns: 'turns about',
+  slides: 'slides along',
+  details: (/** @type {string} */ joint) => `Limits, home and link of ${joint}`,
+  base: 'Base',
+  tool: 'Tool',
+  about: 'About this robot',
+  noBase: 'at the origin, upright',
+  noTool: 'none; the flange itself',
+  turned: 'turned',
+  turnedOnly: 'turned on the spot',
+  noSource: 'no source given',
+  goTo: 'Go to a posture by name',
+  fetchingNames: 'Fetching the named postures …',
+};

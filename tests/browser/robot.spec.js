@@ -57,7 +57,9 @@ test('from the head of a row to limits, home and link of the joint, in the pictu
   await page.getByRole('button', { name: 'Set the upper limit to 40.0°' }).click();
   await page.getByLabel('Joint 2, rate limit, degrees per second').fill('-5');
   await page.keyboard.press('Enter');
-  await expect(page.locator('#joint-details-reason')).toHaveText('A velocity limit is a number above 0, up to 10⁹; got −5.');
+  await expect(page.locator('#joint-details-reason')).toHaveText(
+    'A velocity limit is a number above 0, up to 10⁹; got −5.',
+  );
   await page.keyboard.press('Escape');
 
   await page.getByLabel('Link 2 drawn as').selectOption('Box');

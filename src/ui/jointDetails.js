@@ -3,9 +3,10 @@
  *
  * @import { Page } from './page.js'
  * @import { CellEditor } from './cellEditor.js'
+ * @import { Reasons } from './reasons.js'
  * @import { RobotDoc } from '../model/document.js'
  */
-import { homePosture } from '../model/document.js';
+import { homePosture, quantityOf } from '../model/document.js';
 import { together } from '../model/views.js';
 import { captioned, textInput } from './captioned.js';
 import { editCell } from './cellEditor.js';
@@ -13,10 +14,10 @@ import './css/robotDetails.css';
 import { fill, h } from './dom.js';
 import { compact, jointNumber, plain, unitOf, unitSign, withUnit } from './format.js';
 import { createLinkControls } from './linkControls.js';
-import { readLimit, readNumber } from './numberText.js';
 import { attempt } from './page.js';
 import { createReasons } from './reasons.js';
 import { TEXT } from './strings.js';
+import { readTyped, readTypedLimit } from './typedNumber.js';
 import { DETAILS } from './words/robotDetails.js';
 
 const LIMITS = /** @type {const} */ (['lower', 'upper', 'home']);
@@ -91,11 +92,19 @@ function rest(input, value) {
   return text;
 }
 
+/** What the values of a joint are measured in. @param {Page} page @param {number} index */
+const measureOf =
+  ({ store }, index) =>
+  () => {
+    const { joints, units } = store.state.doc.robot;
+    return { quantity: quantityOf(joints[index], 'home'), units };
+  };
+
 /**
  * @param {Page} page
  * @param {number} index
  * @param {'lower' | 'upper' | 'home'} field
- * @param {(input: HTMLInputElement, reason: string | null) => void} onReason
+ * @param {Reasons['set']} onReason
  */
 function limitField(page, index, field, onReason) {
   const { store } = page;
@@ -103,6 +112,7 @@ function limitField(page, index, field, onReason) {
   const unit = unitOf(robot.joints[index], robot.units);
   const isEndless = field !== 'home' && robot.joints[index].type === 'continuous';
   const now = () => store.state.doc.robot.joints[index][field];
+  const measure = measureOf(page, index);
   const text = () => (now() === undefined ? '' : plain(Number(now())));
   const input = textInput({
     'aria-label': DETAILS.field(index + 1, DETAILS[field], TEXT.table.unitName[unit]),
@@ -111,10 +121,10 @@ function limitField(page, index, field, onReason) {
     title: isEndless ? DETAILS.endless : null,
   });
   const editor = editCell(page, input, {
-    read: field === 'home' ? readNumber : readLimit,
+    read: (typed) => (field === 'home' ? readTyped : readTypedLimit)(typed, measure()),
     command: (/** @type {number | undefined} */ value) => ({ type: 'set-joint-field', joint: index, field, value }),
     onDone: () => DETAILS.set(DETAILS[field], text() || DETAILS.none),
-    onReason: (reason) => onReason(input, reason),
+    onReason: (reason, refused) => onReason(input, reason, refused, (way) => editor.settle(way)),
     text,
     resting: () => rest(input, now()),
   });
@@ -129,7 +139,7 @@ function limitField(page, index, field, onReason) {
  * @param {Page} page
  * @param {number} index
  * @param {'velocity' | 'acceleration'} rate
- * @param {(input: HTMLInputElement, reason: string | null) => void} onReason
+ * @param {Reasons['set']} onReason
  */
 function rateField(page, index, rate, onReason) {
   const { store } = page;
@@ -137,6 +147,7 @@ function rateField(page, index, rate, onReason) {
   const unit = unitOf(robot.joints[index], robot.units);
   const isRate = rate === 'velocity';
   const now = () => store.state.doc.robot.joints[index][rate];
+  const measure = measureOf(page, index);
   const text = () => (now() === undefined ? '' : plain(Number(now())));
   const spoken = (isRate ? DETAILS.spokenPerSecond : DETAILS.spokenPerSecondSquared)(TEXT.table.unitName[unit]);
   const input = textInput({
@@ -144,10 +155,10 @@ function rateField(page, index, rate, onReason) {
     placeholder: DETAILS.none,
   });
   const editor = editCell(page, input, {
-    read: readLimit,
+    read: (typed) => readTypedLimit(typed, measure()),
     command: (/** @type {number | undefined} */ value) => ({ type: 'set-joint-rate', joint: index, rate, value }),
     onDone: () => DETAILS.set(DETAILS[rate], text() || DETAILS.none),
-    onReason: (reason) => onReason(input, reason),
+    onReason: (reason, refused) => onReason(input, reason, refused, (way) => editor.settle(way)),
     text,
     resting: () => rest(input, now()),
   });

@@ -3,6 +3,7 @@
  * the scene chooses by itself, which stands in the field as a hint.
  *
  * @import { Page } from './page.js'
+ * @import { Reasons } from './reasons.js'
  * @import { LinkDoc, RobotDoc } from '../model/document.js'
  * @import { RobotCommand } from '../model/robotCommands.js'
  *
@@ -13,10 +14,10 @@ import { captioned, captionedSelect, select, textInput } from './captioned.js';
 import { editCell } from './cellEditor.js';
 import { h } from './dom.js';
 import { compact, plain, unitSign } from './format.js';
-import { readLimit } from './numberText.js';
 import { attempt, newGesture } from './page.js';
 import { TEXT } from './strings.js';
 import { editText } from './textEditor.js';
+import { readTypedLimit } from './typedNumber.js';
 import { DETAILS } from './words/robotDetails.js';
 
 const SIZES = /** @type {const} */ (['radius', 'width', 'height']);
@@ -36,7 +37,7 @@ const LINK_COLOUR = '#f1efe9';
  * @param {Page} page
  * @param {number} index
  * @param {{ automaticRadii: (robot: RobotDoc) => readonly number[] }} scene
- * @param {(input: HTMLInputElement, reason: string | null) => void} onReason
+ * @param {Reasons['set']} onReason
  */
 export function createLinkControls(page, index, scene, onReason) {
   const { store, announce } = page;
@@ -56,10 +57,10 @@ export function createLinkControls(page, index, scene, onReason) {
     });
     const text = () => (link()[size] === undefined ? '' : plain(Number(link()[size])));
     const editor = editCell(page, input, {
-      read: readLimit,
+      read: (typed) => readTypedLimit(typed, { quantity: 'length', units: store.state.doc.robot.units }),
       command: (/** @type {number | undefined} */ value) => command(withSize(size, value)),
       onDone: () => DETAILS.set(DETAILS[size], text() || DETAILS.automatic),
-      onReason: (reason) => onReason(input, reason),
+      onReason: (reason, refused) => onReason(input, reason, refused, (way) => editor.settle(way)),
       text,
       resting: () => (link()[size] === undefined ? '' : compact(Number(link()[size]), WIDEST).text),
     });
@@ -116,7 +117,7 @@ const withSize = (size, value) => /** @type {Partial<LinkDoc>} */ ({ [size]: val
  * @param {object} given
  * @param {() => LinkDoc} given.link
  * @param {(change: Partial<LinkDoc>) => SetLink} given.command
- * @param {(input: HTMLInputElement, reason: string | null) => void} given.onReason
+ * @param {Reasons['set']} given.onReason
  */
 function createColour(page, index, { link, command, onReason }) {
   const { store, announce } = page;

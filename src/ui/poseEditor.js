@@ -95,11 +95,13 @@ export function createPoseEditor(page, host, which) {
     const { length, angle } = robot().units;
     const shiftFields = [0, 1, 2].map((k) =>
       numberField(page, reasons, {
+        quantity: 'length',
         caption: h('b', { class: `axis-${'xyz'[k]}` }, 'XYZ'[k]),
         label: DETAILS.shift(what, 'XYZ'[k], TEXT.table.unitName[length]),
         unit: unitSign(length),
         value: () => pose().xyz[k],
         command: (value) => command({ ...pose(), xyz: pose().xyz.with(k, value) }),
+        again: () => command(pose()),
       }),
     );
     const angleFields =
@@ -107,11 +109,13 @@ export function createPoseEditor(page, host, which) {
         ? [quaternionField()]
         : DETAILS.angles[notation].map((name, k) =>
             numberField(page, reasons, {
+              quantity: 'angle',
               caption: name,
               label: DETAILS.shift(what, name, TEXT.table.unitName[angle]),
               unit: unitSign(angle),
               value: () => numbers()[k],
               command: (value) => turned(numbers().with(k, value)),
+              again: () => command(pose()),
             }),
           );
     editors = [...shiftFields, ...angleFields].map(({ editor }) => editor);
@@ -177,19 +181,22 @@ export function createPoseEditor(page, host, which) {
  * @param {Page} page
  * @param {Reasons} reasons
  * @param {object} given
+ * @param {'length' | 'angle'} given.quantity
  * @param {Node | string} given.caption
  * @param {string} given.label
  * @param {string} given.unit
  * @param {() => number} given.value
  * @param {(value: number) => Command} given.command
+ * @param {() => Command} given.again  what brings back what the document has now
  */
-function numberField(page, reasons, { caption, label, unit, value, command }) {
+function numberField(page, reasons, { quantity, caption, label, unit, value, command, again }) {
   const input = textInput({ 'aria-label': label });
   const editor = editCell(page, input, {
-    read: readNumber,
+    measure: () => ({ quantity, units: page.store.state.doc.robot.units }),
     command,
+    again,
     onDone: () => DETAILS.set(label, editable(value())),
-    onReason: (reason) => reasons.set(input, reason),
+    onReason: (reason, refused) => reasons.set(input, reason, refused, (way) => editor.settle(way)),
     text: () => editable(value()),
     resting() {
       const { text, isRounded } = compact(value(), WIDEST);

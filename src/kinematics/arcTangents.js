@@ -27,7 +27,8 @@ const REST = 1.2246467991473532e-16;
 const EIGHTH = Math.SQRT2 - 1;
 
 /**
- * angles[k] = atan2(sines[k], cosines[k]), in (−π, π], for any two numbers in proportion to sine and cosine; 0 if both are 0.
+ * angles[k] = atan2(sines[k], cosines[k]), in (−π, π], for any two numbers in proportion to sine and cosine that are not both
+ * below 1e-290; 0 if both are 0.
  * @param {Float64Array} sines
  * @param {Float64Array} cosines  as many
  * @param {Float64Array} angles   likewise, filled

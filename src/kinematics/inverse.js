@@ -65,7 +65,7 @@ const BORDER = { least: 1e-6, tolerances: 100 };
 const OUTSIDE_RESTARTS = 50;
 
 /** Starts for the place alone, once the pose is given up. */
-const PLACE_RESTARTS = 12;
+const PLACE_RESTARTS = 24;
 
 /** Starts for a task that is the arm's to meet, and rarely fails. */
 const TASK_RESTARTS = 50;

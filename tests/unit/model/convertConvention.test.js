@@ -111,7 +111,8 @@ test('there and back gives the same robot, and the same numbers where base and t
       const back = convert(convert(doc));
       expect(largestDifference(described(doc).tcp, described(back).tcp)).toBeLessThan(2e-12);
       const plain = { ...doc, robot: { ...doc.robot, base: none, tool: none }, frames: [] };
-      expect(convert(convert(plain))).toEqual(plain);
+      const written = (/** @type {unknown} */ value) => JSON.parse(JSON.stringify(value)); // minus zero is written as zero
+      expect(written(convert(convert(plain)))).toEqual(written(plain));
     }),
     { seed: SEED, numRuns: runs(300) },
   );

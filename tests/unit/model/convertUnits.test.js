@@ -146,7 +146,7 @@ test('an expression in a column whose unit stays is left alone', () => {
   expect(robot.joints[0].text).toEqual({ theta: '12°', d: '671.83 mm', a: '400+31.8', alpha: '-pi/2' });
 });
 
-test('the compiled arm and postures are the same to one unit in the last place; undo brings the same object back', () => {
+test('the compiled arm and postures are the same but for three roundings; undo brings the same object back', () => {
   const anyUnits = fc.record({
     length: lengthUnit,
     angle: fc.constantFrom(/** @type {const} */ ('deg'), /** @type {const} */ ('rad')),
@@ -185,7 +185,7 @@ test('the compiled arm and postures are the same to one unit in the last place; 
       ]);
       old.forEach((value, i) => {
         if (value === 0 || !Number.isFinite(value)) expect(now[i]).toBe(value);
-        else expect(doublesBetween(now[i], value)).toBeLessThanOrEqual(1);
+        else expect(doublesBetween(now[i], value)).toBeLessThanOrEqual(2);
       });
     }),
     { seed: SEED, numRuns: runs(200) },

@@ -117,14 +117,16 @@ function stand(robot, isOther = false) {
   const pose = createPosePanel(page, shell.pose);
   createAimPanel(page, shell.aim);
   createShortcuts(page, files);
-  const view = createViewPanel(page, shell.view, { poseInWords: pose.inWords });
-
   const calm = matchMedia('(prefers-reduced-motion: reduce)');
+  const isCalm = () => calm.matches;
+  const view = createViewPanel(page, shell.view, { isCalm, poseInWords: pose.inWords });
+
   const stage = createRobotView(page, {
     host: view.stageHost,
     quality: parameters.quality,
     text: view.text,
-    isCalm: () => calm.matches,
+    isCalm,
+    freePart: view.freePart,
     onGridStep: view.showGridStep,
     onDraw: view.showViewpoint,
     onLook: view.look,

@@ -2,7 +2,6 @@
  * The one number of the table that is being read or changed, drawn in the scene as a dimension: it belongs to a row and a
  * field, and may be drawn in part, while the row is built up.
  *
- * @import { Vector3 as Vector } from 'three'
  * @import { Drafting } from './drafting.js'
  * @import { LabelText } from './labels.js'
  * @import { Dimension, Measured } from './measured.js'
@@ -20,7 +19,7 @@ import { carried, rowSteps } from './rowSteps.js';
 
 /**
  * @param {MarkTools & { text: (joint: number, field: DhField) => LabelText }} tools
- * @returns {MarkSet & { want: (next: Wanted | null) => void, points: () => Vector[] | null }}
+ * @returns {MarkSet & { want: (next: Wanted | null) => void }}
  */
 export function createDimensionMarks(tools) {
   let { skin } = tools;
@@ -111,17 +110,6 @@ export function createDimensionMarks(tools) {
       wanted = next;
       if (isSame) follow();
       else build();
-    },
-    /** What a camera that goes near it has to get into the picture; nothing if there is no dimension. */
-    points() {
-      if (!arm || !measured) return null;
-      const { from, to } = measured;
-      const room = 0.2 * arm.parts.size;
-      return [from, to].flatMap((point) =>
-        [-room, room].flatMap((x) =>
-          [-room, room].flatMap((y) => [-room, room].map((z) => new Vector3(x, y, z).add(point))),
-        ),
-      );
     },
   };
 }

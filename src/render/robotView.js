@@ -117,14 +117,14 @@ export function createRobotView({ store, addView, derived, clock }, options) {
     together(({ doc, session }) => [doc.robot.convention, session.build, session.pointedCell ?? session.cell]),
     ([convention, build, cell]) => {
       const wanted = build ? dimensionOfBuild(convention, build) : dimensionOfCell(cell);
-      withDimension(wanted !== null, (marks) => {
-        marks.want(wanted);
-        // On a small screen the view goes near what is being changed, though not wherever a pointer passes.
-        const { session } = store.state;
-        if (Math.min(stage.width, 1.5 * stage.height) < SMALL) {
-          stage.closeIn(session.pointedCell && !session.build ? null : marks.points());
-        }
-      });
+      withDimension(wanted !== null, (marks) => marks.want(wanted));
+    },
+  );
+  // On a small screen the view goes near the row that is being changed, though not wherever a pointer passes.
+  addView(
+    ({ session }) => session.build?.joint ?? session.cell?.joint ?? null,
+    (joint) => {
+      if (joint === null || Math.min(stage.width, 1.5 * stage.height) < SMALL) stage.closeIn(joint);
     },
   );
 

@@ -24,6 +24,7 @@ import { createTriad } from './triad.js';
 const FADE = 1.8; // where the grid ends, in reaches
 const BASE_ARROW = 0.14; // in sizes of the arm
 const TOOL_ARROW = 0.09;
+const ROOM = 0.16; // about the frames of a row
 
 /**
  * The arm that is built; `posture` has no numbers yet if `isPlaced` is false.
@@ -208,6 +209,19 @@ export function createScene({ skin, isLow, labels, text, onChange, onGridStep })
     extent() {
       if (!shown?.isPlaced) return null;
       return { corners: [...arm.corners(), ...base.tips(), ...tool.tips()], size: shown.parts.size };
+    },
+
+    /** What a camera that goes near a row has to get into the picture: its two frames, and room about them. @param {number} joint */
+    extentOfRow(joint) {
+      if (!shown?.isPlaced || joint >= shown.chain.dof) return null;
+      const { frames, parts } = shown;
+      const room = [-ROOM, ROOM].map((share) => share * parts.size);
+      const corners = [joint, joint + 1].flatMap((i) =>
+        room.flatMap((x) =>
+          room.flatMap((y) => room.map((z) => new Vector3(x, y, z).add(new Vector3().fromArray(frames, 16 * i + 12)))),
+        ),
+      );
+      return { corners, size: parts.size };
     },
 
     /** Let go of all that is in graphics memory; the next picture brings it there again. */

@@ -10,7 +10,6 @@
  * number as `data-draws`. It knows no words: `text` is asked for each label when it is written, and `rewrite` asks again.
  * Colours are the page's CSS custom properties, read by `setTheme`. The host must be positioned; its background is the sky.
  *
- * @import { Vector3 } from 'three'
  * @import { LinkStyle } from './linkPieces.js'
  * @import { MarkText } from './marks.js'
  * @import { Eye } from './eye.js'
@@ -27,6 +26,7 @@
  * @property {Clock} clock
  * @property {'high' | 'low'} quality  low: no shadow, no smoothing, one pixel to a pixel of the page
  * @property {StageText} text
+ * @property {() => Rectangle | null} [freePart]  what of the view nothing covers; all of it if null
  * @property {() => boolean} [isCalm]  whether the person wants no motion
  * @property {(view: Eye & Viewpoint) => void} [onDraw]  a picture was taken, from there
  * @property {(name: ViewName | null) => void} [onLook]  a key asked for that view
@@ -44,7 +44,7 @@ import { createSurface } from './surface.js';
 import { createView } from './view.js';
 
 /** @param {StageOptions} options */
-export function createStage({ host, clock, quality, text, isCalm = () => false, ...on }) {
+export function createStage({ host, clock, quality, text, isCalm = () => false, freePart = () => null, ...on }) {
   const { onGridStep = () => {}, onError = () => {}, onDraw = () => {}, onLook = (name) => look(name) } = on;
   const isLow = quality === 'low';
   const surface = createSurface({ host, isLow, onResize, onLose, onRestore: () => redraw({ castsAnew: true }) });
@@ -55,8 +55,6 @@ export function createStage({ host, clock, quality, text, isCalm = () => false, 
   let castsAnew = true;
   let isBroken = false;
   let isFitted = false;
-  /** @type {Rectangle | null} */
-  let free = null;
   /** Where the view was before it went near something. @type {Viewpoint | null} */
   let left = null;
 
@@ -103,16 +101,14 @@ export function createStage({ host, clock, quality, text, isCalm = () => false, 
 
   /**
    * Get the whole arm into the picture.
-   * @param {{ free?: Rectangle | null, from?: ViewName | null, flies?: boolean }} [how]  `free`: what of the view nothing
-   *   covers, as at the last time if left out; `from`: as it is seen now if left out
+   * @param {{ from?: ViewName | null, flies?: boolean }} [how]  `from`: as it is seen now if left out
    */
-  function fit({ free: freePart = free, from = isFitted ? null : 'home', flies = false } = {}) {
-    free = freePart;
+  function fit({ from = isFitted ? null : 'home', flies = false } = {}) {
     const extent = scene.extent();
     if (!extent || !surface?.width || !surface.height) return;
     isFitted = true;
     left = null;
-    view.fit(extent.corners, extent.size, { free, from, flies });
+    view.fit(extent.corners, extent.size, { free: freePart(), from, flies });
   }
 
   /** @param {ViewName | null} [name] */
@@ -121,19 +117,19 @@ export function createStage({ host, clock, quality, text, isCalm = () => false, 
   }
 
   /**
-   * On a small screen: go near some points, and back to where the view was when there are none any more.
-   * @param {readonly Vector3[] | null} points
+   * Go near what a row of the table says, and back to where the view was when there is none any more.
+   * @param {number | null} joint
    */
-  function closeIn(points) {
-    const extent = scene.extent();
-    if (!extent || !surface?.width) return;
-    if (!points) {
-      if (left && view.isUntouched) view.returnTo(left);
-      left = null;
+  function closeIn(joint) {
+    const extent = joint === null ? null : scene.extentOfRow(joint);
+    if (!surface?.width) return;
+    if (extent) {
+      left ??= view.viewpoint();
+      view.fit(extent.corners, extent.size, { free: freePart(), from: null, flies: true });
       return;
     }
-    left ??= view.viewpoint();
-    view.fit(points, extent.size, { free, from: null, flies: true });
+    if (left && view.isUntouched) view.returnTo(left);
+    left = null;
   }
 
   return {

@@ -11,6 +11,10 @@ import download from 'bootstrap-icons/icons/download.svg?raw';
 import exclamation from 'bootstrap-icons/icons/exclamation-triangle-fill.svg?raw';
 import check from 'bootstrap-icons/icons/check2.svg?raw';
 import dots from 'bootstrap-icons/icons/three-dots-vertical.svg?raw';
+import pause from 'bootstrap-icons/icons/pause-fill.svg?raw';
+import play from 'bootstrap-icons/icons/play-fill.svg?raw';
+import skipBack from 'bootstrap-icons/icons/skip-start-fill.svg?raw';
+import skipForward from 'bootstrap-icons/icons/skip-end-fill.svg?raw';
 import plus from 'bootstrap-icons/icons/plus-lg.svg?raw';
 import checkCircle from 'bootstrap-icons/icons/check-circle-fill.svg?raw';
 import fileX from 'bootstrap-icons/icons/file-earmark-x.svg?raw';
@@ -47,7 +51,7 @@ const DRAWINGS = {
     home,
     list,
   },
-  ...{ box, check, dots, plus },
+  ...{ box, check, dots, pause, play, plus, skipBack, skipForward },
   ...{ octagon, record, redo, slash, sliders, table, target, trash, undo, close },
   revolute: own(
     '<path d="M8 1.5a6.5 6.5 0 1 1-6.1 4.2" fill="none" stroke="currentColor" stroke-width="1.4" stroke-linecap="round"/><path d="M.6 6.9 2 3.6l2.9 2.1z"/><circle cx="8" cy="8" r="2"/>',

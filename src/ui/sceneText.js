@@ -13,7 +13,7 @@ import { editable, jointNumber, plain, poseNumber, unitOf, withUnit } from './fo
 import { TEXT } from './strings.js';
 
 /** @type {Record<DhField, string>} */
-const LETTER = { theta: 'θ', d: 'd', a: 'a', alpha: 'α' };
+export const LETTER = { theta: 'θ', d: 'd', a: 'a', alpha: 'α' };
 
 /** @param {Pick<Page, 'store'>} page */
 export function createSceneText({ store }) {

@@ -11,6 +11,7 @@ import $ from 'jquery/slim';
 import { shownFrames } from '../model/shownFrames.js';
 import { isRowField } from '../model/rowMotions.js';
 import { together } from '../model/views.js';
+import { createBuildButton } from './buildButton.js';
 import { fill, h } from './dom.js';
 import { icon } from './icons.js';
 import { asText, createSceneText } from './sceneText.js';
@@ -21,9 +22,9 @@ import { createFramesMenu, createViewMenu } from './viewMenu.js';
 /**
  * @param {Page} page
  * @param {HTMLElement} host
- * @param {{ poseInWords: () => string }} given
+ * @param {{ poseInWords: () => string, isCalm: () => boolean }} given  `isCalm`: the person wants no motion
  */
-export function createViewPanel(page, host, { poseInWords }) {
+export function createViewPanel(page, host, { poseInWords, isCalm }) {
   const { store, addView, announce } = page;
   const stageHost = h('div', { class: 'stage' });
   const fit = h(
@@ -46,6 +47,7 @@ export function createViewPanel(page, host, { poseInWords }) {
     fit,
     createViewMenu(page, look),
     createFramesMenu(page),
+    createBuildButton(page, host, isCalm),
   );
   const grid = h('span', { class: 'scale' });
   fill(host, stageHost, tools, cube.element, grid);
@@ -79,6 +81,17 @@ export function createViewPanel(page, host, { poseInWords }) {
 
     look,
     showViewpoint: cube.turn,
+
+    /** What of the view no tools cover: on a narrow one they take a strip. */
+    freePart() {
+      const { left, right, top, bottom, width } = host.getBoundingClientRect();
+      const strip = tools.getBoundingClientRect();
+      const player = host.querySelector('.build')?.getBoundingClientRect();
+      const from = strip.width > width / 2 ? strip.bottom - top : 0;
+      const to = (player ? player.top : bottom) - top;
+      if ((from === 0 && !player) || to - from < (bottom - top) / 4) return null;
+      return { left: 0, top: from, width: right - left, height: to - from };
+    },
 
     /** @param {Scene} stage */
     surround(stage) {

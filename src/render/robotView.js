@@ -122,9 +122,12 @@ export function createRobotView({ store, addView, derived, clock }, options) {
   );
   // On a small screen the view goes near the row that is being changed, though not wherever a pointer passes.
   addView(
-    ({ session }) => session.build?.joint ?? session.cell?.joint ?? null,
-    (joint) => {
-      if (joint === null || Math.min(stage.width, 1.5 * stage.height) < SMALL) stage.closeIn(joint);
+    together(({ session }) => [session.build?.joint ?? session.cell?.joint ?? null, session.build === null]),
+    ([joint]) => {
+      // a frame later, when it is known what the player covers
+      clock.onFrame(() => {
+        if (joint === null || Math.min(stage.width, 1.5 * stage.height) < SMALL) stage.closeIn(joint);
+      });
     },
   );
 

@@ -125,7 +125,7 @@ export function createStage({ host, clock, quality, text, isCalm = () => false, 
     if (!surface?.width) return;
     if (extent) {
       left ??= view.viewpoint();
-      view.fit(extent.corners, extent.size, { free: freePart(), from: null, flies: true });
+      view.fit(extent.corners, extent.size, { free: freePart(), from: null, flies: true, fill: 'part' });
       return;
     }
     if (left && view.isUntouched) view.returnTo(left);

@@ -18,8 +18,8 @@ import { viewKey } from './viewKeys.js';
 
 const LENS = 24; // degrees, from top to bottom
 const HALF_HEIGHT = Math.tan(toRadians(LENS / 2));
-const FILL_HEIGHT = 0.65;
-const FILL_WIDTH = 0.8;
+/** How much of the picture's width and height the points fill: the arm alone, or a part of it that is gone near to. */
+const FILL = { whole: [0.8, 0.65], part: [0.95, 0.95] };
 const LEAST_IN_VIEW = 0.4; // of the arm's size: a folded arm is not blown up beyond this
 const FLIGHT = 0.35; // seconds
 
@@ -200,18 +200,19 @@ export function createView(element, { clock, isCalm, onChange, onLook }) {
      * @param {Rectangle | null} how.free  the whole view if null
      * @param {ViewName | null} how.from  as it is seen now if null
      * @param {boolean} how.flies
+     * @param {'whole' | 'part'} [how.fill]
      */
-    fit(points, size, { free: freePart, from, flies }) {
+    fit(points, size, { free: freePart, from, flies, fill = 'whole' }) {
       free = freePart;
       view.scaleTo(size);
       aim();
       const part = free ?? { width, height };
-      const tanX = (HALF_HEIGHT * FILL_WIDTH * part.width) / height;
-      const tanY = (HALF_HEIGHT * FILL_HEIGHT * part.height) / height;
+      const tanX = (HALF_HEIGHT * FILL[fill][0] * part.width) / height;
+      const tanY = (HALF_HEIGHT * FILL[fill][1] * part.height) / height;
       const direction = from ? DIRECTIONS[from] : viewpoint();
       const axes = axesOf(direction);
       const { x, y, z, depth } = (isParallel ? fitParallel : fitCamera)(points, axes, { tanX, tanY });
-      const distance = Math.max(depth, (LEAST_IN_VIEW * size) / (2 * tanY));
+      const distance = Math.max(depth, fill === 'whole' ? (LEAST_IN_VIEW * size) / (2 * tanY) : 0);
       const target = new Vector3()
         .addScaledVector(axes.right, x)
         .addScaledVector(axes.up, y)

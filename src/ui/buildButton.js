@@ -18,9 +18,9 @@ export function createBuildButton(page, host, isCalm) {
   const { store, addView, messages } = page;
   const button = h(
     'button',
-    { type: 'button', class: 'btn', title: TEXT.view.buildTitle, 'aria-expanded': 'false' },
+    { type: 'button', class: 'btn build-it', title: TEXT.view.buildTitle, 'aria-expanded': 'false' },
     icon('play'),
-    TEXT.view.build,
+    h('span', {}, TEXT.view.build),
   );
   /** The row that was chosen last: the table has lost it by the time that the button is pressed. */
   let row = 0;

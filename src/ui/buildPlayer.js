@@ -33,7 +33,7 @@ const READING = 1.5; // seconds for a step, where nothing moves
 /**
  * @param {Page} page
  * @param {HTMLElement} host
- * @param {{ isCalm: () => boolean, onClose: () => void }} given
+ * @param {{ isCalm: () => boolean, onClose: () => void }} given  `onClose`: the focus needs another place
  */
 export function createBuildPlayer({ store, addView, clock, announce }, host, { isCalm, onClose }) {
   const rows = h('select', { class: 'form-select form-select-sm', 'aria-label': BUILD.row });
@@ -136,7 +136,6 @@ export function createBuildPlayer({ store, addView, clock, announce }, host, { i
     if (action === 'close') {
       show(null);
       announce(BUILD.closed);
-      onClose();
       return;
     }
     run();
@@ -156,7 +155,9 @@ export function createBuildPlayer({ store, addView, clock, announce }, host, { i
     ([words, build]) => {
       if (!build) {
         said = '';
+        const hadFocus = element.contains(document.activeElement);
         element.remove();
+        if (hadFocus) onClose();
         return;
       }
       if (!element.isConnected) {

@@ -82,15 +82,18 @@ export function createViewPanel(page, host, { poseInWords, isCalm }) {
     look,
     showViewpoint: cube.turn,
 
-    /** What of the view no tools cover: on a narrow one they take a strip. */
+    /** What of the view nothing covers: on a phone the tools stand at the right, and the player lies below. */
     freePart() {
-      const { left, right, top, bottom, width } = host.getBoundingClientRect();
+      const { left, top, width, height } = host.getBoundingClientRect();
       const strip = tools.getBoundingClientRect();
       const player = host.querySelector('.build')?.getBoundingClientRect();
-      const from = strip.width > width / 2 ? strip.bottom - top : 0;
-      const to = (player ? player.top : bottom) - top;
-      if ((from === 0 && !player) || to - from < (bottom - top) / 4) return null;
-      return { left: 0, top: from, width: right - left, height: to - from };
+      if (strip.height <= strip.width && !player) return null;
+      return {
+        left: 0,
+        top: 0,
+        width: strip.height > strip.width ? strip.left - left : width,
+        height: player ? player.top - top : height,
+      };
     },
 
     /** @param {Scene} stage */

@@ -104,6 +104,20 @@ test('the tool, the flange and all joint axes are the same in every posture, to 
   );
 });
 
+test('those 500 chains have parallel, antiparallel and intersecting axes, and slides, often enough', () => {
+  const docs = fc.sample(anyDoc, { seed: SEED, numRuns: 500 });
+  /** @param {(joint: JointDoc) => boolean} has @param {boolean} [alsoLast]  the last link leads to no further axis */
+  const count = (has, alsoLast = false) =>
+    docs.filter(({ robot: { joints, convention } }) => {
+      const links = alsoLast ? joints : convention === 'standard' ? joints.slice(0, -1) : joints.slice(1);
+      return links.some(has);
+    }).length;
+  expect(count(({ alpha, a }) => alpha === 0 && a !== 0)).toBeGreaterThan(50);
+  expect(count(({ alpha, a }) => Math.abs(alpha) === 180 && a !== 0)).toBeGreaterThan(50);
+  expect(count(({ alpha, a }) => a === 0 && alpha % 180 !== 0)).toBeGreaterThan(50);
+  expect(count(({ type }) => type === 'prismatic', true)).toBeGreaterThan(50);
+});
+
 test('there and back gives the same robot, and the same numbers where base and tool are not used', () => {
   const none = { xyz: [0, 0, 0], rpy: [0, 0, 0] };
   fc.assert(

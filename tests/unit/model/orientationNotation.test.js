@@ -67,6 +67,8 @@ test('what is shown in a notation is that orientation, and the very numbers wher
     fc.property(anyPose, fc.constantFrom(...NOTATIONS), (pose, notation) => {
       const { numbers, isKept } = orientationOf(pose, notation, UNITS);
       expect(difference(rotation(notation, numbers), rotationOf(pose))).toBeLessThan(1e-13);
+      const own = pose.quaternion ? ['quaternion'] : ['rpy', 'wpr', 'abc'];
+      expect(isKept).toBe(own.includes(notation));
       if (!isKept) return;
       const again = withOrientation(pose, notation, numbers, UNITS);
       expect(again).toEqual(pose);

@@ -7,6 +7,7 @@
  * @import { Convention, Doc, JointField, Units } from './document.js'
  * @import { JointCommand } from './jointCommands.js'
  * @import { RobotCommand } from './robotCommands.js'
+ * @import { TableCommand } from './tableCommand.js'
  *
  * @typedef {{ type: 'set-joint-field', joint: number, field: JointField, value: number | undefined, text?: string }
  *   | { type: 'set-joint-value', joint: number, value: number }
@@ -18,6 +19,7 @@
  *   | { type: 'convert-units', units: Units }
  *   | { type: 'convert-convention', convention: Convention }
  *   | { type: 'reinterpret-convention', convention: Convention }
+ *   | TableCommand
  *   | JointCommand
  *   | RobotCommand} Command
  *
@@ -28,6 +30,7 @@ import { convertUnits } from './convertUnits.js';
 import { applyJointCommand } from './jointCommands.js';
 import { applyRobotCommand } from './robotCommands.js';
 import { textOf, withField } from './jointFields.js';
+import { applyTableCommand } from './tableCommand.js';
 
 /**
  * @param {Doc} doc
@@ -71,6 +74,8 @@ export function applyCommand(doc, command) {
       return robot.convention === command.convention
         ? doc
         : { ...doc, robot: { ...robot, convention: command.convention } };
+    case 'set-table':
+      return applyTableCommand(doc, command);
     case 'add-joint':
     case 'remove-joint':
     case 'duplicate-joint':

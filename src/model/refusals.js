@@ -7,6 +7,7 @@
  */
 import { MAX_POSTURES } from './document.js';
 import { CONVENTIONS, ID_PATTERN, PRESENT_POSTURE_ID } from './documentRules.js';
+import { tableRefusal } from './tableCommand.js';
 import { badText } from './textRefusals.js';
 import { jointRefusal } from './jointRefusals.js';
 import { badChoice, badIndex, badNumber, issue, shown } from './refusalParts.js';
@@ -65,6 +66,8 @@ export function refusal(doc, command) {
       return badConvention(command.convention) ?? baseAndToolRefusal(doc, command.convention);
     case 'reinterpret-convention':
       return badConvention(command.convention);
+    case 'set-table':
+      return tableRefusal(command);
     case 'add-joint':
     case 'remove-joint':
     case 'duplicate-joint':

@@ -18,6 +18,7 @@ import { createJointMenu } from './jointMenu.js';
 import { fractionOfPi } from './numberText.js';
 import { createStructureControls } from './structureControls.js';
 import { TEXT } from './strings.js';
+import { watchTablePaste } from './tablePaste.js';
 import { watchTableKeys, watchTablePointer } from './tableKeys.js';
 import { readTyped, readTypedLimit } from './typedNumber.js';
 
@@ -181,6 +182,7 @@ export function createDhTable(page, host) {
 
   watchTableKeys(table, () => cells.map((row) => row.map(({ input }) => input)), cellLine.answer);
   watchTablePointer(page, table, FIELDS);
+  watchTablePaste(page, table, structure.foot);
   $(table).on('focusout', ({ relatedTarget }) => {
     if (!(relatedTarget instanceof Node && table.contains(relatedTarget))) {
       store.dispatch({ type: 'show', change: { cell: null } });

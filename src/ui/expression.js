@@ -16,6 +16,7 @@
  *
  * @typedef {object} Evaluated
  * @property {number} value
+ * @property {boolean} isBare     without a unit
  * @property {boolean} isUnclear  an angle in degrees that looks like one in radians
  * @property {boolean} hasBareTurns  somewhere the sine of a number without a unit was taken
  */
@@ -56,7 +57,10 @@ export function evaluate(typed, quantity, units) {
     }
     if (!(Math.abs(value) <= LARGEST_NUMBER)) refuse(EXPRESSION.tooLarge);
     const isUnclear = quantity === 'angle' && units.angle === 'deg' && part.hasPi && part.angle === 0 && value !== 0;
-    return { found: { value, isUnclear, hasBareTurns: walk.hasBareTurns }, reason: null };
+    return {
+      found: { value, isUnclear, isBare: part.length === 0 && part.angle === 0, hasBareTurns: walk.hasBareTurns },
+      reason: null,
+    };
   } catch (error) {
     if (error instanceof Against) return { found: null, reason: error.message };
     throw error;

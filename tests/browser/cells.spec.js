@@ -1,4 +1,4 @@
-/** Cells of the DH table: expressions, questions and refusals, the keys of a spreadsheet. */
+/** Cells of the DH table: expressions, questions and refusals, the keys of a spreadsheet, a pasted table. */
 import AxeBuilder from '@axe-core/playwright';
 import { expect, test } from '@playwright/test';
 import { open, settled, tool } from './page.js';
@@ -136,4 +136,42 @@ test('the grid is walked, edited and left with keys alone; the pointer over a ce
   await keyboard.press('Control+End');
   await keyboard.press('Tab');
   await expect(page.getByRole('button', { name: 'Add joint' })).toBeFocused();
+});
+
+test('a pasted table is looked at, mended and fills the grid as one step; one number is pasted into its cell', async ({
+  page,
+}) => {
+  await open(page);
+  const cell = page.getByLabel(A2);
+  const paste = (/** @type {string} */ text) =>
+    cell.evaluate((input, given) => {
+      const data = new DataTransfer();
+      data.setData('text/plain', given);
+      input.dispatchEvent(new ClipboardEvent('paste', { clipboardData: data, bubbles: true, cancelable: true }));
+    }, text);
+  await cell.focus();
+  await paste('12 in');
+  await paste('alpha\ta (m)\td (m)\ttheta\npi/2\t0\t0.3\tq1\n0\tL1\t0\tq2 + 90\n-90\t0\td3*\t0');
+  const dialog = page.getByRole('dialog', { name: 'Paste a table' });
+  await expect(dialog).toContainText('J2, a: “L1” has a symbol without a number.');
+  const apply = dialog.getByRole('button', { name: 'Fill the table' });
+  await expect(apply).toBeDisabled();
+  const text = dialog.getByLabel('The table as text');
+  await text.fill((await text.inputValue()).replace('L1', '0.25'));
+  await expect(dialog).toContainText('6 joints become 3. J3: another type');
+  await expect(dialog).toContainText('π is read in radians.');
+  const { violations } = await new AxeBuilder({ page }).include('.paste-table').analyze();
+  expect(violations.map(({ id }) => id)).toEqual([]);
+  await apply.click();
+  await expect(dialog).toBeHidden();
+  const joints = await page.evaluate(() => window.denavit.model().joints);
+  expect(joints.map(({ type, theta, d, a, alpha }) => [type, theta, d, a, alpha])).toEqual([
+    ['revolute', 0, 300, 0, 90],
+    ['revolute', 90, 0, 250, 0],
+    ['prismatic', 0, 0, 0, -90],
+  ]);
+  expect(joints[0].text).toEqual({ alpha: 'pi/2 rad' });
+  await page.keyboard.press('Control+z');
+  await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
+  expect(await page.evaluate(() => window.denavit.model().joints.length)).toBe(6);
 });

@@ -31,6 +31,7 @@ export const TABLE = {
   waits: (/** @type {string} */ value) => `The arm waits with ${value} until this is settled.`,
   waitsPlainly: (/** @type {string} */ value) => `It stays at ${value} until this is settled.`,
   loading: '…',
+  paste: 'Paste table',
   takeBack: 'Take back',
   escape: 'Esc',
   disagrees: (/** @type {string} */ text) =>

@@ -103,6 +103,18 @@ export const anyAction = fc.oneof(
   }),
   fc.record({ type: fc.constant(/** @type {const} */ ('remove-posture')), index: fc.integer({ min: -1, max: 4 }) }),
   anyDocument.map((doc) => /** @type {Action} */ ({ type: 'replace-document', doc })),
+  fc.record({
+    type: fc.constant(/** @type {const} */ ('set-table')),
+    convention: anyWordOf('standard', 'modified'),
+    rows: fc.array(
+      fc.record({
+        type: fc.option(anyWordOf('revolute', 'prismatic'), { nil: undefined }),
+        numbers: fc.record({ theta: anyNumber, a: anyNumber, alpha: anyNumber }, { requiredKeys: [] }),
+        texts: fc.record({ a: fc.constantFrom('12 in', 'pi', '') }, { requiredKeys: [] }),
+      }),
+      { maxLength: 7 },
+    ),
+  }),
   fc.record({ type: fc.constant(/** @type {const} */ ('add-joint')), after: anyJoint }),
   fc.record({
     type: fc.constantFrom(/** @type {const} */ ('remove-joint'), /** @type {const} */ ('duplicate-joint')),

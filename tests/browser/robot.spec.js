@@ -11,12 +11,12 @@ test('a tool is typed, written in other notations without changing, and reset; e
 }) => {
   await open(page, 'robot=planar2r');
   const [, y] = await tool(page);
-  await page.getByRole('button', { name: /^Tool/ }).click();
+  await page.locator('#fold-tool').click();
   await page.getByLabel('Tool, X, millimetres').fill('100');
   await page.keyboard.press('Enter');
   await page.getByLabel('Tool, yaw, degrees').fill('30.1');
   await page.keyboard.press('Enter');
-  await expect(page.getByRole('button', { name: /^Tool/ })).toHaveText(/x 100 mm, turned/);
+  await expect(page.locator('#fold-tool')).toHaveText(/x 100 mm, turned/);
   const kept = { xyz: [100, 0, 0], rpy: [0, 0, 30.1] };
   expect((await robot(page)).tool).toEqual(kept);
   expect((await tool(page))[1]).toBeCloseTo(y + 0.1, 12); // both links point along y, and so does the tool
@@ -37,8 +37,8 @@ test('a tool is typed, written in other notations without changing, and reset; e
   await expect.poll(async () => (await robot(page)).tool).toEqual({ xyz: [100, 0, 0], quaternion: [0, 0, 0.6, 0.8] });
 
   await page.getByRole('button', { name: 'Reset to none' }).click();
-  await expect(page.getByRole('button', { name: /^Tool/ })).toHaveText(/none; the flange itself/);
-  await page.getByRole('button', { name: /^Base/ }).focus();
+  await expect(page.locator('#fold-tool')).toHaveText(/none; the flange itself/);
+  await page.locator('#fold-base').focus();
   for (let i = 0; i < 4; i++) await page.keyboard.press('Control+z');
   await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
 });
@@ -71,14 +71,14 @@ test('from the head of a row to limits, home and link of the joint, in the pictu
     link: { kind: 'box', width: 200, color: '#ffcc00' },
   });
   await expectPicture(page, before, false);
-  for (const name of [/^Base/, /^Tool/, /^About/]) await page.getByRole('button', { name }).click();
+  for (const name of ['base', 'tool', 'about']) await page.locator(`#fold-${name}`).click();
   await expect(page.getByLabel('Source of the numbers')).toBeVisible();
   const { violations } = await new AxeBuilder({ page }).analyze();
   expect(violations.map(({ id }) => id)).toEqual([]);
 
   await page.getByLabel('Link 2 drawn as').selectOption('Not drawn');
   await expect(page.getByText('The joints at its ends stay in the picture.')).toBeVisible();
-  await page.getByRole('button', { name: /^Base/ }).focus();
+  await page.locator('#fold-base').focus();
   while (await page.getByRole('button', { name: 'Undo' }).isEnabled()) await page.keyboard.press('Control+z');
   expect((await robot(page)).joints[1].link).toEqual({ kind: 'auto' });
 });
@@ -87,7 +87,7 @@ test('the robot gets another name in place, and its source a link; the arm goes 
   page,
 }) => {
   await open(page);
-  await page.getByRole('button', { name: /^About this robot/ }).click();
+  await page.locator('#fold-about').click();
   await expect(page.getByRole('link', { name: 'Open the source' })).toHaveAttribute(
     'href',
     'https://doi.org/10.1109/ROBOT.1994.351360',

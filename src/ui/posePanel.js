@@ -4,7 +4,7 @@
  * on draws in this panel's place (numbersPanel.js).
  *
  * @import { Page } from './page.js'
- * @import { Doc } from '../model/document.js'
+ * @import { Units } from '../model/document.js'
  */
 import $ from 'jquery/slim';
 import { eulerNumbers } from '../model/eulerNumbers.js';
@@ -35,19 +35,16 @@ export function createPosePanel(page, host) {
   const unitFor = (/** @type {number} */ k) => unitsNow()[k < 3 ? 'length' : 'angle'];
   const freeAngle = memo((/** @type {Float64Array} */ T) => eulerNumbers('xyz', T, unitsNow()).setToZero);
 
-  /** @type {ReturnType<typeof createPoseGrid>} */
-  let grid;
+  const gridInUnits = memo((/** @type {Units} */ { length, angle }) => {
+    const grid = createPoseGrid(POSE_NAMES.map((label, k) => ({ label, unit: unitSign(k < 3 ? length : angle) })));
+    fill(parts.body, grid.element);
+    return grid;
+  });
+  gridInUnits(unitsNow());
   const removeViews = [
     addView(
       together(({ doc }) => [doc.robot.units, derived.xyzwpr(doc)]),
-      ([units, numbers]) => {
-        if (parts.body.dataset.units !== `${units.length} ${units.angle}`) {
-          grid = createPoseGrid(POSE_NAMES.map((label, k) => ({ label, unit: unitSign(unitFor(k)) })));
-          fill(parts.body, grid.element);
-          parts.body.dataset.units = `${units.length} ${units.angle}`;
-        }
-        grid.draw(numbers.map((value, k) => poseNumber(value, unitFor(k))));
-      },
+      ([units, numbers]) => gridInUnits(units).draw(numbers.map((value, k) => poseNumber(value, unitFor(k)))),
     ),
     addView(
       ({ doc }) => freeAngle(derived.tcp(doc)),

@@ -31,6 +31,7 @@ import { createAnnouncer } from './ui/announce.js';
 import { createBar } from './ui/bar.js';
 import { createBrowserClock, today } from './ui/browserClock.js';
 import { createDhTable } from './ui/dhTable.js';
+import { showFirstVisit } from './ui/firstVisit.js';
 import { createFiles } from './ui/files.js';
 import { createJogPanel } from './ui/jogPanel.js';
 import { lazyPanel } from './ui/lazyPanel.js';
@@ -41,7 +42,7 @@ import { createPosePanel } from './ui/posePanel.js';
 import { createRobotSections } from './ui/robotSections.js';
 import { createScripting } from './ui/scripting.js';
 import { createShell, runPanels } from './ui/shell.js';
-import { createShortcuts } from './ui/shortcuts.js';
+import { SHORTCUTS, createShortcuts } from './ui/shortcuts.js';
 import { createTheme } from './ui/theme.js';
 import { createViewPanel } from './ui/viewPanel.js';
 
@@ -88,7 +89,11 @@ function stand(robot, isOther = false) {
   const page = { store, addView, derived, clock, announce: createAnnouncer(), messages, opener: createOpener(store) };
 
   const files = createFiles(page);
-  createBar(page, shell.bar, { files, theme });
+  const openHelp = async () => {
+    const { showHelp } = await import('./ui/help.js'); // messages.js says it when that fails
+    showHelp({ version, shortcuts: SHORTCUTS });
+  };
+  createBar(page, shell.bar, { files, theme, openHelp });
   runPanels(page, shell);
   createDhTable(page, shell.tabs.robot);
   createRobotSections(page, shell.tabs.robot, {
@@ -116,7 +121,7 @@ function stand(robot, isOther = false) {
   createJogPanel(page, shell.jog);
   const pose = createPosePanel(page, shell.pose);
   createAimPanel(page, shell.aim);
-  createShortcuts(page, files);
+  createShortcuts(page, { files, openHelp });
   const calm = matchMedia('(prefers-reduced-motion: reduce)');
   const isCalm = () => calm.matches;
   const view = createViewPanel(page, shell.view, { isCalm, poseInWords: pose.inWords });
@@ -139,6 +144,7 @@ function stand(robot, isOther = false) {
     view.sayWhyEmpty();
   }
 
+  if (!parameters.panels && parameters.hint === 'on' && !manualClock) showFirstVisit(shell.view);
   clock.onFrame(() => clock.onFrame(sayReady));
   Object.assign(window.denavit, createScripting(page, { ready, clock: manualClock }));
 }

@@ -18,9 +18,9 @@ import { createUnitsMenu } from './unitsMenu.js';
 /**
  * @param {Page} page
  * @param {HTMLElement} host
- * @param {{ files: Files, theme: Theme }} tools
+ * @param {{ files: Files, theme: Theme, openHelp: () => unknown }} tools
  */
-export function createBar(page, host, { files, theme }) {
+export function createBar(page, host, { files, theme, openHelp }) {
   const { addView, announce } = page;
   const robotName = h('span', { class: 'b robot-name' });
   const robotTypes = h('span', { class: 'soft wide-only' });
@@ -28,6 +28,7 @@ export function createBar(page, host, { files, theme }) {
   const undo = iconButton('undo', TEXT.bar.undo);
   const redo = iconButton('redo', TEXT.bar.redo);
   const colours = iconButton('circleHalf', TEXT.bar.theme);
+  const help = iconButton('question', TEXT.bar.help);
 
   fill(
     host,
@@ -48,8 +49,10 @@ export function createBar(page, host, { files, theme }) {
     units,
     h('span', { class: 'rule wide-only' }),
     colours,
+    help,
   );
 
+  $(help).on('click', openHelp);
   $(undo).on('click', () => step(page, 'undo'));
   $(redo).on('click', () => step(page, 'redo'));
   $(colours).on('click', () => announce(TEXT.bar.themeNow[theme.toggle()]));

@@ -23,6 +23,7 @@ import fullscreen from 'bootstrap-icons/icons/arrows-fullscreen.svg?raw';
 import home from 'bootstrap-icons/icons/house.svg?raw';
 import list from 'bootstrap-icons/icons/list-ul.svg?raw';
 import octagon from 'bootstrap-icons/icons/x-octagon-fill.svg?raw';
+import question from 'bootstrap-icons/icons/question-circle.svg?raw';
 import record from 'bootstrap-icons/icons/record-circle.svg?raw';
 import redo from 'bootstrap-icons/icons/arrow-clockwise.svg?raw';
 import slash from 'bootstrap-icons/icons/slash-circle.svg?raw';
@@ -52,7 +53,7 @@ const DRAWINGS = {
     list,
   },
   ...{ box, check, dots, pause, play, plus, skipBack, skipForward },
-  ...{ octagon, record, redo, slash, sliders, table, target, trash, undo, close },
+  ...{ octagon, question, record, redo, slash, sliders, table, target, trash, undo, close },
   revolute: own(
     '<path d="M8 1.5a6.5 6.5 0 1 1-6.1 4.2" fill="none" stroke="currentColor" stroke-width="1.4" stroke-linecap="round"/><path d="M.6 6.9 2 3.6l2.9 2.1z"/><circle cx="8" cy="8" r="2"/>',
   ),

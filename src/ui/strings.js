@@ -7,6 +7,7 @@ import { AIM, VERDICT } from './words/aim.js';
 import { BAR } from './words/bar.js';
 import { CODE } from './words/code.js';
 import { FILES } from './words/files.js';
+import { FIRST_VISIT } from './words/firstVisit.js';
 import { NUMBER } from './words/input.js';
 import { JOG } from './words/jog.js';
 import { LIBRARY } from './words/library.js';
@@ -40,6 +41,7 @@ export const TEXT = {
   code: CODE,
   definition: DEFINITION,
   files: FILES,
+  firstVisit: FIRST_VISIT,
   jog: JOG,
   library: LIBRARY,
   number: NUMBER,

@@ -1,4 +1,5 @@
 /** The page's own manners: what is fetched when it is needed, and what is said when it cannot be. */
+import AxeBuilder from '@axe-core/playwright';
 import { expect, test } from '@playwright/test';
 import { open } from './page.js';
 
@@ -30,4 +31,44 @@ test('the address says where the arm stands, in which units, and what stands bes
   await expect(page.getByRole('banner')).toBeHidden();
   expect(await page.locator('.view').boundingBox()).toEqual({ x: 0, y: 0, width: 390, height: 700 });
   await expect(page.getByRole('link', { name: 'Open in Denavit' })).toHaveAttribute('href', /q=1/);
+});
+
+/** @param {import('@playwright/test').Page} page @param {string} part */
+async function expectAccessible(page, part) {
+  const { violations } = await new AxeBuilder({ page }).include(part).analyze();
+  expect(violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' ')).join(', ')}`)).toEqual(
+    [],
+  );
+}
+
+test('the hint of the first visit goes at the first key and does not come back', async ({ page }) => {
+  await page.goto('./?quality=low');
+  const hint = page.getByRole('complementary', { name: 'Three ways to move this arm' });
+  await expect(hint).toBeVisible();
+  await expectAccessible(page, '.hint');
+  await page.keyboard.press('Tab');
+  await expect(hint).toBeVisible();
+  await page.getByLabel('Joint 1', { exact: true }).focus();
+  await page.keyboard.press('ArrowRight');
+  await expect(hint).toHaveCount(0);
+  await page.reload();
+  await page.evaluate(() => window.denavit.ready);
+  await expect(hint).toHaveCount(0);
+});
+
+test('the question mark opens the help, which gives the focus back', async ({ page }) => {
+  await open(page);
+  const first = page.getByLabel('Joint 1', { exact: true });
+  await first.focus();
+  await page.keyboard.press('?');
+  const help = page.getByRole('dialog', { name: 'Help and about' });
+  await expect(help).toContainText('right-handed');
+  await expect(help).toContainText('was not run on a controller');
+  await expect(help).toContainText('CtrlZ');
+  await expectAccessible(page, '.help');
+  await page.keyboard.press('Escape');
+  await expect(help).toHaveCount(0);
+  await expect(first).toBeFocused();
+  await page.getByRole('button', { name: 'Help: keys, conventions, about' }).click();
+  await expect(help).toBeVisible();
 });

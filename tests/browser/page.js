@@ -14,7 +14,7 @@ export async function open(page, query = '') {
   page.on('console', (message) => {
     if (message.type() === 'error') expect.soft(message.text(), 'an error on the console').toBe('');
   });
-  await page.goto(`./?quality=low&theme=light&${query}`);
+  await page.goto(`./?quality=low&theme=light&hint=off&${query}`);
   await page.evaluate(() => window.denavit.ready);
 }
 

@@ -130,7 +130,7 @@ test('without WebGL the table and the numbers work, and the view says why it is 
   try {
     const context = await browser.newContext({ baseURL });
     const page = await context.newPage();
-    await page.goto('./?theme=light');
+    await page.goto('./?theme=light&hint=off');
     await page.evaluate(() => window.denavit.ready);
     await expect(page.locator('.view')).toContainText('WebGL is off or missing');
     const place = await tool(page);

@@ -7,6 +7,7 @@ export const BAR = {
   openDetail: 'XML, as this page saves it',
   save: 'Save the robot as XML',
   saveDetail: 'Table, limits, recorded postures',
+  help: 'Help: keys, conventions, about',
   undo: 'Undo',
   redo: 'Redo',
   theme: 'Colours: light or dark',

@@ -1,0 +1,94 @@
+/**
+ * Help in one dialog: the keys, and what a person must know to trust a number: conventions, limits of the tool, sources.
+ * Loaded when it is first opened.
+ *
+ * @import { Shortcut } from './shortcuts.js'
+ */
+import Modal from 'bootstrap/js/src/modal.js';
+import './css/help.css';
+import { h } from './dom.js';
+import { icon } from './icons.js';
+import { TEXT } from './strings.js';
+import { HELP } from './words/help.js';
+
+/**
+ * @param {object} given
+ * @param {string} given.version  of this program
+ * @param {readonly Shortcut[]} given.shortcuts  the keys that the page listens to
+ */
+export function showHelp({ version, shortcuts }) {
+  if (document.querySelector('.help')) return;
+  const { activeElement: before } = document;
+  const close = { 'data-bs-dismiss': 'modal', type: 'button' };
+  const dialog = h(
+    'div',
+    { class: 'modal help', tabindex: -1, 'aria-labelledby': 'help-title' },
+    h(
+      'div',
+      { class: 'modal-dialog modal-dialog-scrollable modal-fullscreen-sm-down' },
+      h(
+        'div',
+        { class: 'modal-content dialog' },
+        h(
+          'div',
+          { class: 'row-flex dialog-head' },
+          h('h2', { class: 'grow', id: 'help-title' }, HELP.title),
+          h('button', { ...close, class: 'btn btn-icon', 'aria-label': TEXT.close }, icon('close')),
+        ),
+        h(
+          'div',
+          { class: 'help-text', tabindex: 0, role: 'region', 'aria-label': HELP.title },
+          h('h3', {}, HELP.keysTitle),
+          keyList(inRows(shortcuts)),
+          HELP.places.map(({ title, keys }) => [h('h4', {}, title), keyList(keys)]).flat(),
+          HELP.sections.flatMap(({ title, points }) => [
+            h('h3', {}, title),
+            h(
+              'ul',
+              {},
+              points.map((point) => h('li', {}, point)),
+            ),
+          ]),
+          h('p', { class: 'soft' }, HELP.version(version)),
+        ),
+      ),
+    ),
+  );
+  document.body.append(dialog);
+  const modal = new Modal(dialog);
+  dialog.addEventListener('hidden.bs.modal', () => {
+    modal.dispose();
+    dialog.remove();
+    if (before instanceof HTMLElement) before.focus();
+  });
+  modal.show();
+}
+
+/** One row for what can be done, with every way to press it. @param {readonly Shortcut[]} all @returns {[string[][], string][]} */
+const inRows = (all) =>
+  [...new Set(all.map(({ id }) => id))].map((id) => [
+    all.filter((shortcut) => shortcut.id === id).map(keysOf),
+    HELP.shortcut[id],
+  ]);
+
+/** @param {Shortcut} shortcut @returns {string[]} */
+const keysOf = ({ key, hasControl, hasShift }) => [
+  ...(hasControl ? [HELP.control] : []),
+  ...(hasShift ? [HELP.shift] : []),
+  key.toUpperCase(),
+];
+
+/** @param {readonly (readonly [readonly (readonly string[])[], string])[]} rows  ways to press, what they do */
+const keyList = (rows) =>
+  h(
+    'dl',
+    { class: 'keys' },
+    rows.flatMap(([ways, what]) => [
+      h(
+        'dt',
+        {},
+        ways.flatMap((keys, i) => [i > 0 && ` ${HELP.or} `, ...keys.map((key) => h('kbd', {}, key))]),
+      ),
+      h('dd', {}, what),
+    ]),
+  );

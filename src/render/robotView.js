@@ -31,7 +31,7 @@ import { createStage } from './stage.js';
 const OTHER_SIZE = Math.log(1.5);
 
 /** A view that is not this wide, or two thirds as high, shows a part of the arm better than the whole. */
-const SMALL = 560;
+const SMALL = 450;
 
 /**
  * @param {State} state

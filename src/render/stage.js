@@ -55,7 +55,7 @@ export function createStage({ host, clock, quality, text, isCalm = () => false, 
   let castsAnew = true;
   let isBroken = false;
   let isFitted = false;
-  /** Where the view was before it went near something. @type {Viewpoint | null} */
+  /** Where the view was before it went near something. @type {(Viewpoint & { free: Rectangle | null }) | null} */
   let left = null;
 
   const labels = createLabels(host);
@@ -124,7 +124,7 @@ export function createStage({ host, clock, quality, text, isCalm = () => false, 
     const extent = joint === null ? null : scene.extentOfRow(joint);
     if (!surface?.width) return;
     if (extent) {
-      left ??= view.viewpoint();
+      left ??= { ...view.viewpoint(), free: view.free };
       view.fit(extent.corners, extent.size, { free: freePart(), from: null, flies: true, fill: 'part' });
       return;
     }

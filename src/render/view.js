@@ -223,9 +223,17 @@ export function createView(element, { clock, isCalm, onChange, onLook }) {
       onChange();
     },
 
-    /** Back to where it once stood. @param {Viewpoint} to */
-    returnTo(to) {
+    /** What was free of the view when it was last fitted. */
+    get free() {
+      return free;
+    },
+
+    /** Back to where it once stood. @param {Viewpoint & { free: Rectangle | null }} to */
+    returnTo({ free: freePart, ...to }) {
+      free = freePart;
+      aim();
       goTo(to, true);
+      onChange();
       isUntouched = true;
     },
 

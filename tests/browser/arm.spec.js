@@ -153,32 +153,6 @@ test('the view turns, moves and zooms by keys, and fits again', async ({ page })
   await expectPicture(page, first);
 });
 
-test('the picture comes back after the graphics context was lost', async ({ page }) => {
-  await open(page);
-  const before = await picture(page);
-  await page.locator('canvas').evaluate(async (canvas) => {
-    const gl = /** @type {HTMLCanvasElement} */ (canvas).getContext('webgl2');
-    const loss = gl?.getExtension('WEBGL_lose_context');
-    const event = (/** @type {string} */ name) => new Promise((resolve) => canvas.addEventListener(name, resolve));
-    const [lost, restored] = [event('webglcontextlost'), event('webglcontextrestored')];
-    loss?.loseContext();
-    await lost;
-    await new Promise((resolve) => requestAnimationFrame(resolve)); // it may not be restored while the loss is being told
-    loss?.restoreContext();
-    await restored;
-  });
-  await expectPicture(page, before);
-});
-
-for (const robot of ['puma560', 'ur5', 'scara_cobra600', 'planar2r']) {
-  test(`the picture of ${robot} is the one that was looked at and found good`, async ({ page }) => {
-    await open(page, `robot=${robot}`);
-    await page.addStyleTag({ content: '.scene-labels, .float, .view-cube { visibility: hidden; }' }); // letters depend on the machine's fonts
-    await settled(page);
-    await expect(page.locator('canvas')).toHaveScreenshot(`${robot}.png`);
-  });
-}
-
 /** Keys one by one with a frame between them, as hands do it. @param {import('@playwright/test').Page} page @param {string} text */
 async function typeSlowly(page, text) {
   for (const key of text) {

@@ -71,7 +71,7 @@ function readDocument(root) {
 /** @param {PlainRecord} file  as the table describes it @returns {Doc} */
 function documentFrom(file) {
   // What the table reads is a document but for the posture; validateDocument has the last word on it.
-  const { robot, postures, frames, programs, extensions } = /** @type {Omit<Doc, 'posture'>} */ (
+  const { robot, postures, frames, targets, programs, extensions } = /** @type {Omit<Doc, 'posture'>} */ (
     /** @type {unknown} */ (file)
   );
   const { name, info, units, convention, base, tool, joints } = robot;
@@ -80,6 +80,7 @@ function documentFrom(file) {
     posture: postures.find(isPresent)?.q ?? homePosture(robot),
     postures: postures.filter((posture) => !isPresent(posture)),
     frames,
+    targets,
     programs,
     extensions,
   };

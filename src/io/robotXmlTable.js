@@ -127,6 +127,13 @@ const FRAME_ATTRIBUTES = [required('id', types.ID), optional('number', types.POS
 
 const FRAME = { list: 'frames', noun: 'frame', max: rules.MAX_FRAMES, attributes: FRAME_ATTRIBUTES };
 
+const TARGET = element('target', {
+  list: 'targets',
+  noun: 'target',
+  max: rules.MAX_TARGETS,
+  attributes: [required('id', types.ID), optional('configuration', LABEL), ...POSE],
+});
+
 const POSTURE = element('posture', {
   list: 'postures',
   noun: 'posture',
@@ -164,6 +171,7 @@ export const ROBOT_MODEL = element('robotModel', {
         element('toolFrame', { ...FRAME, constants: { kind: 'tool' } }),
       ],
     }),
+    element('targets', { order: 'sequence', children: [TARGET] }),
     element('postures', { order: 'sequence', children: [POSTURE] }),
     element('configurations', {
       olderNameOf: 'postures',

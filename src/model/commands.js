@@ -8,6 +8,7 @@
  * @import { JointCommand } from './jointCommands.js'
  * @import { RobotCommand } from './robotCommands.js'
  * @import { TableCommand } from './tableCommand.js'
+ * @import { TargetCommand } from './targets.js'
  *
  * @typedef {{ type: 'set-joint-field', joint: number, field: JointField, value: number | undefined, text?: string }
  *   | { type: 'set-joint-value', joint: number, value: number }
@@ -21,6 +22,7 @@
  *   | { type: 'reinterpret-convention', convention: Convention }
  *   | TableCommand
  *   | JointCommand
+ *   | TargetCommand
  *   | RobotCommand} Command
  *
  * Converting keeps the robot and changes the numbers; reinterpreting keeps the numbers and changes the robot.
@@ -31,6 +33,7 @@ import { applyJointCommand } from './jointCommands.js';
 import { applyRobotCommand } from './robotCommands.js';
 import { textOf, withField } from './jointFields.js';
 import { applyTableCommand } from './tableCommand.js';
+import { applyTargetCommand } from './targets.js';
 
 /**
  * @param {Doc} doc
@@ -82,6 +85,12 @@ export function applyCommand(doc, command) {
     case 'move-joint':
     case 'set-joint-type':
       return applyJointCommand(doc, command);
+    case 'add-target':
+    case 'rename-target':
+    case 'edit-target':
+    case 'move-target':
+    case 'remove-target':
+      return applyTargetCommand(doc, command);
     case 'set-base':
     case 'set-tool':
     case 'set-link':

@@ -2,7 +2,7 @@
  * The same robot in other units: every number of the document converts, none is merely relabelled. Left as they are: what
  * has no unit of the document (quaternions, efforts, couplings), controller programs, and foreign elements.
  *
- * @import { DhField, Doc, FrameDoc, JointDoc, PoseDoc, Units } from './document.js'
+ * @import { DhField, Doc, FrameDoc, JointDoc, PoseDoc, TargetDoc, Units } from './document.js'
  * @typedef {'length' | 'angle'} Quantity
  * @typedef {(quantity: Quantity, value: number) => number} Convert
  */
@@ -76,11 +76,12 @@ function inUnits(doc, { length, angle }, convert) {
     posture: values(doc.posture),
     postures: doc.postures.map((posture) => ({ ...posture, q: values(posture.q) })),
     frames: doc.frames.map((frame) => convertPose(frame, convert)),
+    targets: doc.targets.map((target) => convertPose(target, convert)),
   };
 }
 
 /**
- * @template {PoseDoc | FrameDoc} Pose
+ * @template {PoseDoc | FrameDoc | TargetDoc} Pose
  * @param {Pose} pose
  * @param {Convert} convert
  * @returns {Pose}

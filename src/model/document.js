@@ -64,6 +64,7 @@
  *
  * @typedef {{ readonly id: string, readonly q: readonly number[] }} PostureDoc  a recorded posture
  * @typedef {PoseDoc & { readonly kind: 'user' | 'tool', readonly id: string, readonly number?: number }} FrameDoc
+ * @typedef {PoseDoc & { readonly id: string, readonly configuration?: string }} TargetDoc  a named pose of the tool, seen from the world
  * @typedef {{ readonly id: string, readonly language: 'karel' | 'fanuc-tp' | 'krl', readonly text: string }} ProgramDoc
  *
  * @typedef {object} Doc
@@ -71,6 +72,7 @@
  * @property {readonly number[]} posture              a joint value for each joint
  * @property {readonly PostureDoc[]} postures         recorded, in the order they are visited
  * @property {readonly FrameDoc[]} frames             kept for controllers; not yet used here
+ * @property {readonly TargetDoc[]} targets           named, in the order of their list
  * @property {readonly ProgramDoc[]} programs         kept; not yet used here
  * @property {readonly string[]} extensions           foreign XML elements of the file it came from, as text
  *

@@ -17,6 +17,7 @@ export const PRESENT_POSTURE_ID = 'current';
 export const MAX_LABEL_LENGTH = 200;
 export const MAX_DESCRIPTION_LENGTH = 10_000;
 export const MAX_FRAMES = 100;
+export const MAX_TARGETS = 200;
 export const MAX_PROGRAMS = 20;
 
 /** How far the length of a quaternion may be from 1: typed digits are rounded, but six of them are usual. */

@@ -26,6 +26,7 @@ export const DOCUMENT_ISSUES = Object.freeze({
   'posture-length': 'error', // not one value for each joint
   'too-many-postures': 'error',
   'too-many-frames': 'error',
+  'too-many-targets': 'error',
   'too-many-programs': 'error',
   'limits-crossed': 'error',
   'orientation-twice': 'error', // rpy and quaternion

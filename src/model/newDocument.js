@@ -14,6 +14,7 @@ export const newDocument = (robot) => ({
   posture: homePosture(robot),
   postures: [],
   frames: [],
+  targets: [],
   programs: [],
   extensions: [],
 });

@@ -8,6 +8,7 @@
 import { MAX_POSTURES } from './document.js';
 import { CONVENTIONS, ID_PATTERN, PRESENT_POSTURE_ID } from './documentRules.js';
 import { tableRefusal } from './tableCommand.js';
+import { targetRefusal } from './targetRefusals.js';
 import { badText } from './textRefusals.js';
 import { jointRefusal } from './jointRefusals.js';
 import { badChoice, badIndex, badNumber, issue, shown } from './refusalParts.js';
@@ -74,6 +75,12 @@ export function refusal(doc, command) {
     case 'move-joint':
     case 'set-joint-type':
       return jointRefusal(robot.joints, command);
+    case 'add-target':
+    case 'rename-target':
+    case 'edit-target':
+    case 'move-target':
+    case 'remove-target':
+      return targetRefusal(doc, command);
     case 'set-base':
     case 'set-tool':
     case 'set-link':

@@ -56,8 +56,8 @@ export function robotRefusal({ robot: { joints } }, command) {
   }
 }
 
-/** @param {string} path @param {PoseDoc} pose */
-function badPose(path, pose) {
+/** @param {string} path @param {PoseDoc} pose @returns {Issue | null} */
+export function badPose(path, pose) {
   const { xyz, rpy, quaternion } = Object(pose);
   if (rpy && quaternion)
     return issue('orientation-twice', path, 'An orientation is given as rpy or as a quaternion, not both.');
@@ -115,7 +115,7 @@ function badSize(what, path, value) {
 }
 
 /** @param {string} what @param {string} path @param {string} text @param {number} longest */
-function badText(what, path, text, longest) {
+export function badText(what, path, text, longest) {
   const length = typeof text === 'string' ? characterCount(text) : NaN;
   if (length <= longest) return null;
   const came = typeof text === 'string' ? `this one has ${length}` : `got ${shown(text)}`;

@@ -16,6 +16,7 @@ import {
   MAX_FRAMES,
   MAX_LABEL_LENGTH,
   MAX_PROGRAMS,
+  MAX_TARGETS,
   PRESENT_POSTURE_ID,
   PROGRAM_LANGUAGES,
 } from './documentRules.js';
@@ -42,6 +43,7 @@ export const validateDocument = (doc) => [
   ...checkPosture('The present posture', 'posture', doc.posture, doc.robot.joints.length),
   ...posturesIssues(doc),
   ...framesIssues(doc),
+  ...targetsIssues(doc),
   ...programsIssues(doc),
 ];
 
@@ -103,6 +105,25 @@ function* framesIssues({ frames }) {
 }
 
 /** @param {Doc} doc @returns {Issues} */
+function* targetsIssues({ targets }) {
+  yield* checkCount('too-many-targets', 'targets', targets.length, MAX_TARGETS);
+  for (const [i, target] of targets.entries()) {
+    const owner = `Target ${shownValue(target.id)}`;
+    yield* checkId(`Target ${i + 1}`, `targets.${i}.id`, target.id);
+    yield* checkPose(owner, `targets.${i}`, target);
+    if (target.configuration === undefined) continue;
+    yield* checkText(
+      owner,
+      'as configuration a text',
+      `targets.${i}.configuration`,
+      target.configuration,
+      MAX_LABEL_LENGTH,
+    );
+  }
+  yield* checkDifferentIds('targets', 'targets', targets);
+}
+
+/** @param {Doc} doc @returns {Issues} */
 function* programsIssues({ programs }) {
   yield* checkCount('too-many-programs', 'programs', programs.length, MAX_PROGRAMS);
   for (const [i, { id, language, text }] of programs.entries()) {
@@ -115,7 +136,7 @@ function* programsIssues({ programs }) {
 }
 
 /**
- * @param {'too-many-postures' | 'too-many-frames' | 'too-many-programs'} code
+ * @param {'too-many-postures' | 'too-many-frames' | 'too-many-targets' | 'too-many-programs'} code
  * @param {string} path @param {number} count @param {number} most
  * @returns {Issues}
  */

@@ -1,6 +1,6 @@
 /**
  * Arbitrary sound documents: hostile texts, odd numbers, all types, optional things there or not.
- * @import { ControllerDoc, Doc, FrameDoc, JointDoc, LinkDoc, PoseDoc, RobotInfo } from '../../../src/model/document.js'
+ * @import { ControllerDoc, Doc, FrameDoc, JointDoc, LinkDoc, PoseDoc, RobotInfo, TargetDoc } from '../../../src/model/document.js'
  */
 import fc from 'fast-check';
 
@@ -164,6 +164,14 @@ const frames = fc.uniqueArray(
   { selector: (frame) => frame.id, maxLength: 4 },
 );
 
+/** @type {fc.Arbitrary<TargetDoc[]>} */
+const targets = fc.uniqueArray(
+  fc
+    .tuple(pose, record({ id, configuration: text(40) }, { requiredKeys: ['id'] }))
+    .map(([where, rest]) => /** @type {TargetDoc} */ ({ ...where, ...rest })),
+  { selector: (target) => target.id, maxLength: 4 },
+);
+
 const programs = fc.uniqueArray(
   record({ id, language: fc.constantFrom('karel', 'fanuc-tp', 'krl'), text: text(200) }),
   { selector: (program) => program.id, maxLength: 3 },
@@ -205,6 +213,7 @@ export const documents = fc.uniqueArray(id, { minLength: 2, maxLength: 6 }).chai
     posture: vector(number, ids.length),
     postures: postures(ids.length),
     frames,
+    targets,
     programs,
     extensions,
   }),

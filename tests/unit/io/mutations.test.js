@@ -157,7 +157,7 @@ test('a spoilt file is refused, or opened as a sound, finite document; and what 
     }),
     { seed: SEED, numRuns: runs(400) },
   );
-  expect(opened.length).toBeGreaterThan(20);
+  expect(opened.length).toBeGreaterThan(15);
   expect(refused).toBeGreaterThan(100);
   const undeclared = opened.map((text) => text.replace(/^<\?xml.*?\?>/s, '')); // the encoding is decodeText's affair
   const errors = (await schemaErrors(undeclared)).flat();

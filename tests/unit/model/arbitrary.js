@@ -73,6 +73,32 @@ const anyRobotCommand = fc.oneof(
   }),
 );
 
+const anyIndex = fc.integer({ min: -1, max: 3 });
+const anyConfiguration = fc.option(fc.constantFrom('N U T, 0, 0, 0', '', 'x'.repeat(201)), { nil: undefined });
+
+/** Commands about the named targets. */
+const anyTargetCommand = fc.oneof(
+  fc.record({
+    type: fc.constant(/** @type {const} */ ('add-target')),
+    pose: anyPose,
+    configuration: anyConfiguration,
+  }),
+  fc.record({
+    type: fc.constant(/** @type {const} */ ('rename-target')),
+    index: anyIndex,
+    id: fc.oneof(fc.constantFrom('aim_1', 'aim_2', 'pick', ''), fc.string()),
+  }),
+  fc.record({
+    type: fc.constant(/** @type {const} */ ('edit-target')),
+    index: anyIndex,
+    pose: anyPose,
+    configuration: anyConfiguration,
+    gesture: anyGesture,
+  }),
+  fc.record({ type: fc.constant(/** @type {const} */ ('move-target')), index: anyIndex, to: anyIndex }),
+  fc.record({ type: fc.constant(/** @type {const} */ ('remove-target')), index: anyIndex }),
+);
+
 /** Sensible and senseless ones. @type {import('fast-check').Arbitrary<Action>} */
 export const anyAction = fc.oneof(
   fc.record({
@@ -135,6 +161,7 @@ export const anyAction = fc.oneof(
     convention: anyWordOf('standard', 'modified'),
   }),
   anyRobotCommand,
+  anyTargetCommand,
   fc.constantFrom(...['undo', 'redo', 'end-gesture', 'cancel-gesture'].map((type) => /** @type {Action} */ ({ type }))),
   fc.record({
     type: fc.constant(/** @type {const} */ ('show')),

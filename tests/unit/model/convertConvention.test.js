@@ -64,6 +64,7 @@ const anyDoc = fc
     posture: values.slice(0, rows.length),
     postures: [],
     frames: [{ kind: 'tool', id: 't', ...mount }],
+    targets: [],
     programs: [],
     extensions: [],
   }));
@@ -146,7 +147,7 @@ const docOf = (more, rows) => ({
     ...more,
     joints: rows.map(joint),
   },
-  ...{ posture: rows.map(() => 0), postures: [], frames: [], programs: [], extensions: [] },
+  ...{ posture: rows.map(() => 0), postures: [], frames: [], targets: [], programs: [], extensions: [] },
 });
 
 describe('the numbers', () => {

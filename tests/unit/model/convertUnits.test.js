@@ -97,6 +97,7 @@ const everything = {
   posture: [60, 100],
   postures: [{ id: 'p1', q: [-180, 33.3] }],
   frames: [{ kind: 'user', id: 'u', number: 3, xyz: [100, 0, 0], rpy: [0, 0, 180] }],
+  targets: [{ id: 'aim', xyz: [500, 0, 25.4], rpy: [180, 0, -45], configuration: 'N U T, 0, 0, 0' }],
   programs: [{ id: 'k', language: 'karel', text: 'x = 100' }],
   extensions: [],
 };
@@ -131,6 +132,7 @@ test('every number of the document converts, and what has no unit does not', () 
     posture: [PI / 3, 0.1],
     postures: [{ id: 'p1', q: [-PI, 0.0333] }],
     frames: [{ kind: 'user', id: 'u', number: 3, xyz: [0.1, 0, 0], rpy: [0, 0, PI] }],
+    targets: [{ id: 'aim', xyz: [0.5, 0, 0.0254], rpy: [PI, 0, -PI / 4], configuration: 'N U T, 0, 0, 0' }],
   });
 });
 

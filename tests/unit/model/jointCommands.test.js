@@ -33,6 +33,7 @@ const docOf = (...joints) => ({
   posture: joints.map((_, i) => i + 1),
   postures: [{ id: 'p1', q: joints.map((_, i) => 10 * (i + 1)) }],
   frames: [],
+  targets: [],
   programs: [],
   extensions: [],
 });

@@ -30,7 +30,7 @@ function tryTo(store, action) {
 }
 
 /** Written anew, from what a document promises. @param {import('../../../src/model/document.js').Doc} doc */
-function expectSound({ robot, posture, postures }) {
+function expectSound({ robot, posture, postures, targets }) {
   expect(posture).toHaveLength(robot.joints.length);
   for (const values of [posture, ...postures.map(({ q }) => q)]) expect(values.every(Number.isFinite)).toBe(true);
   for (const { theta, d, a, alpha, lower, upper } of robot.joints) {
@@ -38,7 +38,8 @@ function expectSound({ robot, posture, postures }) {
     expect(lower === undefined || upper === undefined || lower <= upper).toBe(true);
   }
   expect(new Set(postures.map(({ id }) => id)).size).toBe(postures.length);
-  for (const { xyz, rpy, quaternion } of [robot.base, robot.tool]) {
+  expect(new Set(targets.map(({ id }) => id)).size).toBe(targets.length);
+  for (const { xyz, rpy, quaternion } of [robot.base, robot.tool, ...targets]) {
     expect(xyz).toHaveLength(3);
     expect([...xyz, ...(rpy ?? []), ...(quaternion ?? [])].every(Number.isFinite)).toBe(true);
     expect(rpy === undefined || (rpy.length === 3 && quaternion === undefined)).toBe(true);

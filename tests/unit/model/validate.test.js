@@ -280,6 +280,30 @@ test.for([
     'Frame "f" has the kind "world"; expected user, tool.',
   ],
   [
+    { targets: Array.from({ length: 201 }, (_, i) => ({ id: `t${i}`, xyz: [0, 0, 0] })) },
+    'too-many-targets',
+    'targets',
+    'The model has 201 targets; expected at most 200.',
+  ],
+  [
+    { targets: ['a', 'b', 'a'].map((id) => ({ id, xyz: [0, 0, 0] })) },
+    'id-taken',
+    'targets.2.id',
+    'Two targets have the id "a"; expected a different id for each.',
+  ],
+  [
+    { targets: [{ id: 'a', xyz: [0, 0, 0], configuration: 'x'.repeat(201) }] },
+    'text-length',
+    'targets.0.configuration',
+    'Target "a" has as configuration a text of 201 characters; expected a text of at most 200.',
+  ],
+  [
+    { targets: [{ id: 'a', xyz: [0, 0, 0], quaternion: [0, 0, 1, 1] }] },
+    'quaternion-length',
+    'targets.0.quaternion',
+    'Target "a" has a quaternion of length 1.4142135623730951; expected length 1.',
+  ],
+  [
     { programs: [{ id: '1', language: 'krl', text: '' }] },
     'id',
     'programs.0.id',

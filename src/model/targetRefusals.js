@@ -1,0 +1,57 @@
+/**
+ * What can be said against a command about the named targets.
+ *
+ * @import { Doc } from './document.js'
+ * @import { Issue } from './issues.js'
+ * @import { TargetCommand } from './targets.js'
+ */
+import { ID_PATTERN, MAX_LABEL_LENGTH, MAX_TARGETS } from './documentRules.js';
+import { badIndex, issue } from './refusalParts.js';
+import { badPose, badText } from './robotRefusals.js';
+
+/**
+ * @param {Doc} doc
+ * @param {TargetCommand} command
+ * @returns {Issue | null}
+ */
+export function targetRefusal({ targets }, command) {
+  switch (command.type) {
+    case 'add-target':
+      if (targets.length >= MAX_TARGETS) {
+        return issue('too-many-targets', 'targets', `A model keeps at most ${MAX_TARGETS} named targets.`);
+      }
+      return badPose('targets', command.pose) ?? badConfiguration(command.configuration);
+    case 'rename-target':
+      return badIndex('target', command.index, targets.length) ?? badTargetId(targets, command);
+    case 'edit-target':
+      return (
+        badIndex('target', command.index, targets.length) ??
+        badPose(`targets.${command.index}`, command.pose) ??
+        badConfiguration(command.configuration)
+      );
+    case 'move-target':
+      return badIndex('target', command.index, targets.length) ?? badIndex('target', command.to, targets.length);
+    case 'remove-target':
+      return badIndex('target', command.index, targets.length);
+    default:
+      return null;
+  }
+}
+
+/** @param {string | undefined} configuration */
+const badConfiguration = (configuration) =>
+  configuration === undefined
+    ? null
+    : badText('The configuration', 'targets.configuration', configuration, MAX_LABEL_LENGTH);
+
+/** @param {Doc['targets']} targets @param {{ index: number, id: string }} command */
+function badTargetId(targets, { index, id }) {
+  const path = `targets.${index}.id`;
+  if (typeof id !== 'string' || !ID_PATTERN.test(id)) {
+    return issue('id', path, 'A name is a letter or _, then at most 63 letters, digits or _.');
+  }
+  if (targets.some((other, i) => i !== index && other.id === id)) {
+    return issue('id-taken', path, `Another target is called "${id}" already.`);
+  }
+  return null;
+}

@@ -1,0 +1,83 @@
+/**
+ * Named targets: poses of the tool that a document keeps, seen from the world, in its units. A target may say in which
+ * configuration the arm stood when it was kept; whoever goes there again then takes the same one, if there is one.
+ *
+ * @import { Doc, PoseDoc, TargetDoc } from './document.js'
+ *
+ * @typedef {{ type: 'add-target', pose: PoseDoc, configuration?: string }
+ *   | { type: 'rename-target', index: number, id: string }
+ *   | { type: 'edit-target', index: number, pose: PoseDoc, configuration?: string }
+ *   | { type: 'move-target', index: number, to: number }
+ *   | { type: 'remove-target', index: number }} TargetCommand
+ */
+
+/**
+ * @param {Doc} doc
+ * @param {TargetCommand} command  that `targetRefusal` has nothing against
+ * @returns {Doc} the same object when nothing changed
+ */
+export function applyTargetCommand(doc, command) {
+  const { targets } = doc;
+  switch (command.type) {
+    case 'add-target':
+      return { ...doc, targets: [...targets, made(freeTargetId(doc), command)] };
+    case 'rename-target': {
+      const old = targets[command.index];
+      return old.id === command.id ? doc : { ...doc, targets: targets.with(command.index, { ...old, id: command.id }) };
+    }
+    case 'edit-target': {
+      const old = targets[command.index];
+      const next = made(old.id, command);
+      return isSame(old, next) ? doc : { ...doc, targets: targets.with(command.index, next) };
+    }
+    case 'move-target': {
+      const { index, to } = command;
+      if (index === to) return doc;
+      return { ...doc, targets: targets.toSpliced(index, 1).toSpliced(to, 0, targets[index]) };
+    }
+    case 'remove-target':
+      return { ...doc, targets: targets.toSpliced(command.index, 1) };
+    default: {
+      /** @type {never} */
+      const unknown = command;
+      throw new TypeError(`Unknown command: ${JSON.stringify(unknown)}`);
+    }
+  }
+}
+
+/**
+ * What of a pose a target keeps, and nothing else that came with it.
+ * @param {string} id
+ * @param {{ pose: PoseDoc, configuration?: string }} given
+ * @returns {TargetDoc}
+ */
+function made(id, { pose: { xyz, rpy, quaternion }, configuration }) {
+  return {
+    id,
+    xyz: [...xyz],
+    ...(rpy && { rpy: [...rpy] }),
+    ...(quaternion && { quaternion: [...quaternion] }),
+    ...(configuration !== undefined && { configuration }),
+  };
+}
+
+/** @param {TargetDoc} a @param {TargetDoc} b */
+function isSame(a, b) {
+  /** @param {readonly number[] | undefined} one @param {readonly number[] | undefined} other */
+  const agree = (one, other) =>
+    one === other || (one?.length === other?.length && one?.every((value, i) => Object.is(value, other?.[i])));
+  return (
+    a.configuration === b.configuration &&
+    agree(a.xyz, b.xyz) &&
+    agree(a.rpy, b.rpy) &&
+    agree(a.quaternion, b.quaternion)
+  );
+}
+
+/** The first of aim_1, aim_2, … that no target has. @param {Doc} doc */
+function freeTargetId({ targets }) {
+  const taken = new Set(targets.map(({ id }) => id));
+  let number = 1;
+  while (taken.has(`aim_${number}`)) number++;
+  return `aim_${number}`;
+}

@@ -1,16 +1,7 @@
 /** The library: found by keys and by typing, at home on a phone, and a way to a robot of one's own. */
-import AxeBuilder from '@axe-core/playwright';
 import { expect, test } from '@playwright/test';
-import { open, settled } from './page.js';
-
-/** @param {import('@playwright/test').Page} page */
-async function expectAccessible(page) {
-  await settled(page);
-  const { violations } = await new AxeBuilder({ page }).include('.robot-picker').analyze();
-  expect(violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' ')).join(', ')}`)).toEqual(
-    [],
-  );
-}
+import { expectAccessible } from './accessible.js';
+import { open } from './page.js';
 
 test('an arm is found by typing and chosen by keys, and undo brings the other back', async ({ page }) => {
   await open(page, 'robot=ur3');
@@ -24,7 +15,7 @@ test('an arm is found by typing and chosen by keys, and undo brings the other ba
   await expect(search).toBeFocused();
   await expect(dialog.getByRole('option')).toHaveCount(26);
   await expect(dialog.getByRole('option', { name: /^UR3/, selected: true })).toContainText('open now');
-  await expectAccessible(page);
+  await expectAccessible(page, { within: '.robot-picker' });
   const cut = await dialog
     .getByRole('option')
     .evaluateAll((options) => options.filter((option) => option.scrollWidth > option.clientWidth).length);
@@ -64,7 +55,7 @@ test.describe('on a phone', () => {
     await page.getByRole('button', { name: /Puma 560/ }).tap();
     const dialog = page.getByRole('dialog', { name: 'Choose a robot' });
     await expect(dialog.getByRole('option', { name: /^Puma 560/ })).toBeInViewport();
-    await expectAccessible(page);
+    await expectAccessible(page, { within: '.robot-picker' });
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
     await dialog.getByRole('button', { name: 'New robot with 4 joints' }).tap();
     await expect(dialog).toBeHidden();

@@ -1,6 +1,6 @@
 /** The page's own manners: what is fetched when it is needed, and what is said when it cannot be. */
-import AxeBuilder from '@axe-core/playwright';
 import { expect, test } from '@playwright/test';
+import { expectAccessible } from './accessible.js';
 import { open } from './page.js';
 
 test('a panel that cannot be fetched says so, and comes when it is asked for again', async ({ page, context }) => {
@@ -33,19 +33,11 @@ test('the address says where the arm stands, in which units, and what stands bes
   await expect(page.getByRole('link', { name: 'Open in Denavit' })).toHaveAttribute('href', /q=1/);
 });
 
-/** @param {import('@playwright/test').Page} page @param {string} part */
-async function expectAccessible(page, part) {
-  const { violations } = await new AxeBuilder({ page }).include(part).analyze();
-  expect(violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' ')).join(', ')}`)).toEqual(
-    [],
-  );
-}
-
 test('the hint of the first visit goes at the first key and does not come back', async ({ page }) => {
   await page.goto('./?quality=low');
   const hint = page.getByRole('complementary', { name: 'Three ways to move this arm' });
   await expect(hint).toBeVisible();
-  await expectAccessible(page, '.hint');
+  await expectAccessible(page, { within: '.hint' });
   await page.keyboard.press('Tab');
   await expect(hint).toBeVisible();
   await page.getByLabel('Joint 1', { exact: true }).focus();
@@ -65,7 +57,7 @@ test('the question mark opens the help, which gives the focus back', async ({ pa
   await expect(help).toContainText('right-handed');
   await expect(help).toContainText('was not run on a controller');
   await expect(help).toContainText('CtrlZ');
-  await expectAccessible(page, '.help');
+  await expectAccessible(page, { within: '.help' });
   await page.keyboard.press('Escape');
   await expect(help).toHaveCount(0);
   await expect(first).toBeFocused();

@@ -1,6 +1,6 @@
 /** Every number in every convention: the pose in another frame and another form, copied, and joints beyond their limits. */
-import AxeBuilder from '@axe-core/playwright';
 import { expect, test } from '@playwright/test';
+import { expectAccessible } from './accessible.js';
 import { open, settled, shownPose } from './page.js';
 
 /** @typedef {import('@playwright/test').Page} Page */
@@ -14,14 +14,6 @@ async function choose(page, button, choice) {
 
 /** What was copied last; the clipboard of a test is a variable. @param {Page} page */
 const copied = (page) => page.evaluate(() => Reflect.get(window, 'copied'));
-
-/** @param {Page} page */
-async function axe(page) {
-  const { violations } = await new AxeBuilder({ page }).include('.right').analyze();
-  expect(violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' ')).join(', ')}`)).toEqual(
-    [],
-  );
-}
 
 test.beforeEach(({ page }) =>
   page.addInitScript(() => {
@@ -37,7 +29,7 @@ test('the same orientation by other names, with the free angle named at gimbal l
   await expect(note).toHaveText('W and R turn about the same axis here; R is set to 0.');
   await page.locator('[data-ask=form]').click();
   await expect(page.locator('.dropdown-menu.show')).toBeVisible();
-  await axe(page);
+  await expectAccessible(page, { within: '.right' });
   await page.getByRole('button', { name: /^KUKA ABC/ }).click();
   await expect(page.locator('[data-ask=form]')).toHaveText('KUKA ABC');
   await expect(note).toHaveText('A and C turn about the same axis here; A is set to 0.');
@@ -71,13 +63,9 @@ test('what is seen is what is copied, in the language that was chosen last', asy
   await choose(page, 'copyMore', 'The joint values');
   await expect.poll(async () => JSON.parse(await copied(page)).q?.values).toEqual([10, 45, -170, 20, 35, 30]);
   await page.getByRole('button', { name: 'Link transforms', exact: true }).click();
-  await page
-    .getByRole('group', { name: 'Link' })
-    .getByRole('button')
-    .nth(1)
-    .click();
+  await page.getByRole('group', { name: 'Link' }).getByRole('button').nth(1).click();
   await expect(page.locator('.link-values')).toContainText('431.80 mm');
-  await axe(page);
+  await expectAccessible(page, { within: '.right' });
 });
 
 test('a joint goes beyond its limits when told so, and the row, the page and the gauge say that it stands outside', async ({

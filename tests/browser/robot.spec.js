@@ -1,6 +1,6 @@
 /** What belongs to the robot beside its table: joint details, base and tool, links, name and source, named postures. */
-import AxeBuilder from '@axe-core/playwright';
 import { expect, test } from '@playwright/test';
+import { expectAccessible } from './accessible.js';
 import { expectPicture, open, picture, settled, tool } from './page.js';
 
 /** @param {import('@playwright/test').Page} page */
@@ -73,8 +73,7 @@ test('from the head of a row to limits, home and link of the joint, in the pictu
   await expectPicture(page, before, false);
   for (const name of ['base', 'tool', 'about']) await page.locator(`#fold-${name}`).click();
   await expect(page.getByLabel('Source of the numbers')).toBeVisible();
-  const { violations } = await new AxeBuilder({ page }).analyze();
-  expect(violations.map(({ id }) => id)).toEqual([]);
+  await expectAccessible(page);
 
   await page.getByLabel('Link 2 drawn as').selectOption('Not drawn');
   await expect(page.getByText('The joints at its ends stay in the picture.')).toBeVisible();

@@ -25,6 +25,7 @@ import { createStore } from './model/store.js';
 import { fromKernel } from './model/units.js';
 import { createViews } from './model/views.js';
 import { automaticRadii } from './render/automaticRadii.js';
+import { dragWhenNear } from './render/dragWhenNear.js';
 import { createRobotView } from './render/robotView.js';
 import { createAimPanel } from './ui/aimPanel.js';
 import { createAnnouncer } from './ui/announce.js';
@@ -124,7 +125,9 @@ function stand(robot, isOther = false) {
   createShortcuts(page, { files, openHelp });
   const calm = matchMedia('(prefers-reduced-motion: reduce)');
   const isCalm = () => calm.matches;
-  const view = createViewPanel(page, shell.view, { isCalm, poseInWords: pose.inWords });
+  const wide = matchMedia('(min-width: 700px)');
+  const isWide = () => wide.matches;
+  const view = createViewPanel(page, shell.view, { isCalm, isWide, poseInWords: pose.inWords });
 
   const stage = createRobotView(page, {
     host: view.stageHost,
@@ -140,6 +143,8 @@ function stand(robot, isOther = false) {
   if (stage) {
     view.surround(stage);
     theme.onChange(stage.setTheme);
+    const { missing } = view.text;
+    dragWhenNear(page, { stage, room: shell.view, isWide, missing, onError: messages.fault });
   } else {
     view.sayWhyEmpty();
   }

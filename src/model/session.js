@@ -6,6 +6,8 @@
  * @import { Command } from './commands.js'
  * @import { History } from './history.js'
  * @import { AimAnswer } from './aim.js'
+ * @import { Hindrance } from './follow.js'
+ * @import { Handle } from './handleAxes.js'
  * @import { NumbersView } from './numbersView.js'
  *
  * @typedef {'robot' | 'program' | 'code'} Tab
@@ -14,6 +16,11 @@
  * @typedef {'none' | 'ends' | 'row' | 'all'} FramesShown  ends: base and tool; row: the two of the selected row
  * @typedef {{ readonly joint: number, readonly at: number, readonly goal: number }} BuildUp
  *   0 … 4: of the row's motions so many are done, the last perhaps in part, and so many are wanted
+ *
+ * @typedef {object} ToolDrag
+ * @property {Float64Array | null} T_world_goal  where the tool is wanted; null while a link is dragged
+ * @property {Hindrance | null} hindrance
+ * @property {boolean} isHeld   the hand is still on it
  *
  * @typedef {object} Session
  * @property {Panel} panel      the one that is open, where the screen has room for one only
@@ -27,6 +34,10 @@
  * @property {FramesShown} frames   of the scene; this and the next stay when another document is opened
  * @property {'perspective' | 'parallel'} projection
  * @property {BuildUp | null} build  how a row of the table makes a frame from the one before, being shown
+ * @property {Handle} handle    on the tool, to drag it by; it stays when another document is opened
+ * @property {'move' | 'turn' | null} toolKeys  what arrow keys in the view do to the tool, once it is taken
+ * @property {ToolDrag | null} drag  of the tool, under way
+ * @property {number | null} pointedLink  the joint that moves the link under the pointer
  * @property {NumbersView} numbers  how they are shown and copied
  * @property {number} edition   counts how often the document was exchanged for another (opened, undone), not edited
  *
@@ -41,6 +52,7 @@
 import { applyCommand } from './commands.js';
 import { deepFreeze } from './freeze.js';
 import { refusal } from './refusals.js';
+import { FIRST_HANDLE } from './handleAxes.js';
 import { FIRST_NUMBERS, fitNumbers } from './numbersView.js';
 import { cancelGesture, endGesture, record, redo, startHistory, undo } from './history.js';
 
@@ -57,6 +69,10 @@ const FRESH = {
   frames: 'ends',
   projection: 'perspective',
   build: null,
+  handle: FIRST_HANDLE,
+  toolKeys: null,
+  drag: null,
+  pointedLink: null,
   numbers: FIRST_NUMBERS,
   edition: 0,
 };
@@ -108,10 +124,10 @@ function settle(state, history, next) {
   if (robot === old) return { ...next, session };
   const isOther = robot.name !== old.name && robot.joints !== old.joints; // a new name alone makes no other robot
   const sameShape = robot.joints.length === old.joints.length && robot.units === old.units && !isOther;
-  const { panel, tab, edition, frames, projection } = session;
+  const { panel, tab, edition, frames, projection, handle } = session;
   const openJoint = session.openJoint === null ? null : Math.min(session.openJoint, robot.joints.length - 1);
   const numbers = fitNumbers(session.numbers, robot);
-  const kept = { panel, tab, edition, frames, projection, openJoint, numbers };
+  const kept = { panel, tab, edition, frames, projection, handle, openJoint, numbers };
   return { ...next, session: sameShape ? { ...session, answer: null } : { ...FRESH, ...kept } };
 }
 

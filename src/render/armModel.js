@@ -7,7 +7,7 @@
  * @import { PartKind } from './joinery.js'
  * @import { Skin } from './skins.js'
  * @import { Chain } from '../kinematics/chain.js'
- * @import { Vector3 } from 'three'
+ * @import { Raycaster, Vector3 } from 'three'
  */
 import {
   Color,
@@ -183,6 +183,16 @@ export function createArmModel({ skin, isLow }) {
           ? corners.map((corner) => corner.clone().applyMatrix4(mesh.matrix).applyMatrix4(links[parent].matrix))
           : [],
       ),
+
+    /** The link that a line of sight meets first, and where. @param {Raycaster} sight */
+    linkAt(sight) {
+      const [first] = sight.intersectObjects(
+        pieces.map(({ mesh }) => mesh).filter((mesh) => mesh.visible),
+        false,
+      );
+      const piece = first && pieces.find(({ mesh }) => mesh === first.object);
+      return piece ? { link: piece.link, point: first.point } : null;
+    },
 
     /** The frame of a link, to hang a mark in. @param {number} i */
     linkGroup: (i) => links[i],

@@ -154,9 +154,9 @@ const dimensionOfCell = (cell) =>
  * @param {string} convention
  * @param {Session} session
  */
-function litJoint(convention, { pointedCell, cell, heldJoint }) {
+function litJoint(convention, { pointedCell, cell, heldJoint, pointedLink }) {
   const chosen = pointedCell ?? cell;
-  if (!chosen) return heldJoint;
+  if (!chosen) return heldJoint ?? pointedLink;
   const isBefore = convention === 'modified' && (chosen.field === 'a' || chosen.field === 'alpha');
   return isBefore ? chosen.joint - 1 : chosen.joint;
 }

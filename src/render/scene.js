@@ -62,13 +62,14 @@ export function createScene({ skin, isLow, labels, text, onChange, onGridStep })
   let lit = null;
   let gridStep = 0;
   const ends = { base: true, tool: true };
+  let hasHandle = false; // which has axes and letters of its own
   setVisible(false);
 
   /** @param {boolean} isVisible */
   function setVisible(isVisible) {
     arm.group.visible = floor.group.visible = dot.visible = isVisible;
     base.setVisible(isVisible && ends.base);
-    tool.setVisible(isVisible && ends.tool);
+    tool.setVisible(isVisible && ends.tool && !hasHandle);
   }
 
   /** Everything that follows from where the arm is. @param {Shown} now */
@@ -168,6 +169,16 @@ export function createScene({ skin, isLow, labels, text, onChange, onGridStep })
       setVisible(shown?.isPlaced ?? false);
       onChange({ castsAnew: false });
     },
+
+    /** @param {boolean} isShown  on the tool, in place of its frame */
+    showHandle(isShown) {
+      if (isShown === hasHandle) return;
+      hasHandle = isShown;
+      setVisible(shown?.isPlaced ?? false);
+      onChange({ castsAnew: false });
+    },
+
+    linkAt: arm.linkAt,
 
     /**
      * Marks that are fetched when they are first wanted.

@@ -60,6 +60,9 @@ const DRAWINGS = {
   frames: own(
     '<g fill="none" stroke="currentColor" stroke-width="1.3"><path d="M6 10V2.5M6 10h7M6 10l-3.6 3.6"/></g><path d="M6 0 4.2 3.4h3.6zM16 10l-3.4-1.8v3.6zM.9 15.1l1.2-3.7 2.5 2.5z"/>',
   ),
+  handle: own(
+    '<g fill="none" stroke="currentColor" stroke-width="1.3"><path d="M5 11V3M5 11h8"/><path d="M8.5 3.6a6 6 0 0 1 4 4"/></g><path d="M5 0 3.2 3.4h3.6zM16 11l-3.4-1.8v3.6z"/><circle cx="5" cy="11" r="2.4"/>',
+  ),
   prismatic: own(
     '<path d="M3.2 5h9.6v6H3.2z" fill="none" stroke="currentColor" stroke-width="1.4"/><path d="M.2 8 2.6 6v4zM15.8 8l-2.4-2v4z"/>',
   ),

@@ -6,6 +6,7 @@
 import { AIM, VERDICT } from './words/aim.js';
 import { BAR } from './words/bar.js';
 import { CODE } from './words/code.js';
+import { DRAG } from './words/drag.js';
 import { FILES } from './words/files.js';
 import { FIRST_VISIT } from './words/firstVisit.js';
 import { NUMBER } from './words/input.js';
@@ -40,6 +41,7 @@ export const TEXT = {
   bar: BAR,
   code: CODE,
   definition: DEFINITION,
+  drag: DRAG,
   files: FILES,
   firstVisit: FIRST_VISIT,
   jog: JOG,

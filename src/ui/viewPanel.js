@@ -13,6 +13,7 @@ import { isRowField } from '../model/rowMotions.js';
 import { together } from '../model/views.js';
 import { createBuildButton } from './buildButton.js';
 import { fill, h } from './dom.js';
+import { createHandleBar, createHandleButton } from './handleBar.js';
 import { icon } from './icons.js';
 import { asText, createSceneText } from './sceneText.js';
 import { TEXT } from './strings.js';
@@ -22,9 +23,10 @@ import { createFramesMenu, createViewMenu } from './viewMenu.js';
 /**
  * @param {Page} page
  * @param {HTMLElement} host
- * @param {{ poseInWords: () => string, isCalm: () => boolean }} given  `isCalm`: the person wants no motion
+ * @param {{ poseInWords: () => string, isCalm: () => boolean, isWide: () => boolean }} given  `isCalm`: the person wants
+ *   no motion; `isWide`: the screen has room for the handle on the tool at all times
  */
-export function createViewPanel(page, host, { poseInWords, isCalm }) {
+export function createViewPanel(page, host, { poseInWords, isCalm, isWide }) {
   const { store, addView, announce } = page;
   const stageHost = h('div', { class: 'stage' });
   const fit = h(
@@ -47,10 +49,12 @@ export function createViewPanel(page, host, { poseInWords, isCalm }) {
     fit,
     createViewMenu(page, look),
     createFramesMenu(page),
+    createHandleButton(page, isWide),
     createBuildButton(page, host, isCalm),
   );
   const grid = h('span', { class: 'scale' });
   fill(host, stageHost, tools, cube.element, grid);
+  createHandleBar(page, host, { isWide, poseInWords });
   $(fit).on('click', () => look(null));
 
   const robot = () => store.state.doc.robot;
@@ -108,6 +112,7 @@ export function createViewPanel(page, host, { poseInWords, isCalm }) {
     sayWhyEmpty() {
       tools.remove();
       cube.element.remove();
+      host.querySelector('.handle-bar')?.remove();
       grid.remove();
       fill(stageHost, h('div', { class: 'empty' }, h('p', {}, TEXT.noWebGl)));
     },

@@ -26,6 +26,7 @@ const PLACES = [
       [[['←'], ['→'], ['↑'], ['↓']], 'Go round the arm'],
       [[['+'], ['−']], 'Nearer, farther'],
       [[['F']], 'Fit the arm into the view'],
+      [[['T'], ['Enter']], 'Take the tool: arrows and Page keys then move it, R turns it, Esc gives it back'],
     ],
   },
 ];

@@ -37,7 +37,7 @@ export const VIEW = {
   },
   seen: (/** @type {string} */ direction) => `View: ${direction}.`,
   describe: (/** @type {string} */ robot, /** @type {string} */ pose, /** @type {string} */ drawn) =>
-    `${robot} in 3-D. ${pose} ${drawn} Arrow keys orbit, with Shift they move the picture, plus and minus zoom, F fits, 0 to 6 choose a view.`,
+    `${robot} in 3-D. ${pose} ${drawn} Arrow keys orbit, with Shift they move the picture, plus and minus zoom, F fits, 0 to 6 choose a view, T takes the tool to move it by keys.`,
   drawnFrames: (/** @type {string[]} */ names) => `Frames drawn: ${names.join(', ')}.`,
   noFrames: 'No frames drawn.',
   frameName: (/** @type {number | 'tool'} */ frame) =>

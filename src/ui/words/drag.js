@@ -1,0 +1,28 @@
+/** The handle on the tool, and what stands in its way. */
+
+export const DRAG = {
+  handle: 'Handle on the tool',
+  bar: 'Dragging the tool',
+  axesLabel: 'Axes of the handle',
+  axes: { base: 'Base', tool: 'Tool', world: 'World', user: 'User frame' },
+  inAxes: { base: 'base', tool: 'tool', world: 'world', user: 'user' },
+  snap: (/** @type {string} */ length, /** @type {string} */ angle) => `Snap ${length} · ${angle}`,
+  snapTitle: 'Move and turn in whole steps; Shift while dragging does the other',
+  limit: (/** @type {string} */ joint) => `${joint} is at its limit.`,
+  reach: (/** @type {string} */ by) => `Edge of the reach: ${by} short.`,
+  fewReach: (/** @type {string} */ by) => `This arm cannot bring the tool there: ${by} short.`,
+  orientation: (/** @type {string} */ by) => `The arm cannot turn the tool this way here: ${by} short.`,
+  singularity: (/** @type {string} */ joint) => `Singularity: ${joint} has to turn far first.`,
+  part: (/** @type {string} */ by) => `With its few joints the arm keeps the place; the orientation is ${by} off.`,
+  taken: {
+    move: (/** @type {string} */ axes) =>
+      `Tool taken. Arrow keys move it along X and Y of the ${axes} axes, Page Up and Page Down along Z. R turns it instead, Esc gives it back.`,
+    turn: (/** @type {string} */ axes) =>
+      `Tool taken. Arrow keys turn it about X and Y of the ${axes} axes, Page Up and Page Down about Z. R moves it instead, Esc gives it back.`,
+  },
+  takenShort: {
+    move: 'Arrow keys X Y, Page keys Z · R turns · Esc gives back',
+    turn: 'Turning: arrow keys X Y, Page keys Z · R moves · Esc gives back',
+  },
+  givenBack: 'Tool given back.',
+};

@@ -14,6 +14,7 @@ import './ui/css/panels.css';
 import './ui/css/view.css';
 import './ui/css/dialogs.css';
 import './ui/css/layout.css';
+import './ui/css/tablet.css';
 import { version } from '../package.json';
 import { SCHEMA, readQueryParameters } from './io/queryParameters.js';
 import { createManualClock } from './model/clock.js';
@@ -80,11 +81,12 @@ if (parameters.robot === FIRST_ROBOT) {
  * @param {boolean} [isOther]  than the one that was asked for
  */
 function stand(robot, isOther = false) {
-  const { units, q } = parameters;
+  const { units, q, frames, projection } = parameters;
   const { doc, faults } = startDocument(robot, { units, q, isOther });
   for (const fault of faults) messages.warn(startFaultInWords(fault, robot.name));
   /** @type {Store<AppState, Action>} */
   const store = createStore(startState(doc), reduce);
+  store.dispatch({ type: 'show', change: { frames, projection } });
   const derived = createDerived();
   const addView = createViews(store, clock, { onError: messages.fault });
   const page = { store, addView, derived, clock, announce: createAnnouncer(), messages, opener: createOpener(store) };
@@ -132,6 +134,7 @@ function stand(robot, isOther = false) {
   const stage = createRobotView(page, {
     host: view.stageHost,
     quality: parameters.quality,
+    firstLook: parameters.view === 'iso' ? 'home' : parameters.view,
     text: view.text,
     isCalm,
     freePart: view.freePart,

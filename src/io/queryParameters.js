@@ -3,7 +3,7 @@
  * one is a warning, never a broken page: any text after the question mark gives values and a list of what was refused.
  *
  * @import { AngleUnit, LengthUnit, Units } from '../model/document.js'
- * @import { Panel } from '../model/session.js'
+ * @import { FramesShown, Panel, Session } from '../model/session.js'
  *
  * @typedef {'one' | 'some' | 'units' | 'numbers'} Kind  one of the values, several of them, one of each quantity, numbers
  * @typedef {Panel | 'pose' | 'bar'} Room  what can stand beside the view
@@ -67,6 +67,21 @@ export const SCHEMA = {
     read: readRooms,
     help: 'What stands beside the view; the first of them is open. none: the view alone, without the bar.',
   }),
+  view: oneOf(
+    /** @type {const} */ (['iso', 'front', 'back', 'left', 'right', 'top', 'bottom']),
+    'iso',
+    'From where the arm is seen at first; iso: from front right.',
+  ),
+  projection: oneOf(
+    /** @type {readonly Session['projection'][]} */ (['perspective', 'parallel']),
+    'perspective',
+    'How the arm is drawn; parallel: orthographic.',
+  ),
+  frames: oneOf(
+    /** @type {readonly FramesShown[]} */ (['none', 'ends', 'row', 'all']),
+    'ends',
+    'Which frames are drawn; ends: base and tool, row: the two of the row that is selected.',
+  ),
   theme: oneOf(
     /** @type {const} */ (['auto', 'light', 'dark']),
     null,

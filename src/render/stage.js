@@ -27,6 +27,7 @@
  * @property {'high' | 'low'} quality  low: no shadow, no smoothing, one pixel to a pixel of the page
  * @property {StageText} text
  * @property {() => Rectangle | null} [freePart]  what of the view nothing covers; all of it if null
+ * @property {ViewName} [firstLook]  from where the arm is seen at first
  * @property {() => boolean} [isCalm]  whether the person wants no motion
  * @property {(view: Eye & Viewpoint) => void} [onDraw]  a picture was taken, from there
  * @property {(name: ViewName | null) => void} [onLook]  a key asked for that view
@@ -46,6 +47,7 @@ import { createView } from './view.js';
 /** @param {StageOptions} options */
 export function createStage({ host, clock, quality, text, isCalm = () => false, freePart = () => null, ...on }) {
   const { onGridStep = () => {}, onError = () => {}, onDraw = () => {}, onLook = (name) => look(name) } = on;
+  const { firstLook = 'home' } = on;
   const isLow = quality === 'low';
   const surface = createSurface({ host, isLow, onResize, onLose, onRestore: () => redraw({ castsAnew: true }) });
   if (!surface) return null;
@@ -103,7 +105,7 @@ export function createStage({ host, clock, quality, text, isCalm = () => false, 
    * Get the whole arm into the picture.
    * @param {{ from?: ViewName | null, flies?: boolean }} [how]  `from`: as it is seen now if left out
    */
-  function fit({ from = isFitted ? null : 'home', flies = false } = {}) {
+  function fit({ from = isFitted ? null : firstLook, flies = false } = {}) {
     const extent = scene.extent();
     if (!extent || !surface?.width || !surface.height) return;
     isFitted = true;

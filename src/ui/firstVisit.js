@@ -21,8 +21,9 @@ export function showFirstVisit(view) {
   ];
   const hint = h(
     'aside',
-    { class: 'hint', 'aria-labelledby': 'hint-title' },
-    h('div', { class: 'row-flex' }, h('h2', { class: 'grow', id: 'hint-title' }, TEXT.firstVisit.title), close),
+    { class: 'hint', 'aria-label': TEXT.firstVisit.title },
+    h('p', { class: 'line' }, TEXT.firstVisit.line),
+    h('div', { class: 'row-flex' }, h('h2', { class: 'grow' }, TEXT.firstVisit.title), close),
     h(
       'ol',
       {},

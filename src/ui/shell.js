@@ -10,7 +10,9 @@
 import $ from 'jquery/slim';
 import { h } from './dom.js';
 import { icon } from './icons.js';
+import { createLeftEdge } from './leftEdge.js';
 import { PANELS, TABS, openPanel } from './page.js';
+import { createSkipLinks } from './skipLinks.js';
 import { TEXT } from './strings.js';
 
 /** @type {Record<Panel, IconName>} */
@@ -97,7 +99,9 @@ const tabPanel = (tab) =>
  * @param {Page} page
  * @param {Shell} shell
  */
-export function runPanels(page, { app, tablist, tabs, dock, shownTabs, shownPanels, first }) {
+export function runPanels(page, { app, tablist, tabs, view, dock, shownTabs, shownPanels, first }) {
+  app.before(createSkipLinks(page, { view, robot: shownTabs.includes('robot') ? tabs.robot : null }));
+  if (shownTabs.length > 0) view.after(createLeftEdge(page, app));
   if (first) openPanel(page, first);
   else if (shownTabs.length > 0) page.store.dispatch({ type: 'show', change: { tab: shownTabs[0] } });
   const tabButtons = shownTabs.map((tab) =>

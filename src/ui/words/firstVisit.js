@@ -2,6 +2,7 @@
 
 export const FIRST_VISIT = {
   title: 'Three ways to move this arm',
+  line: 'Pull a slider to move the arm',
   ways: [
     { title: 'Pull a slider', detail: 'One joint at a time.' },
     { title: 'Give the tool a target', detail: 'The joints follow by themselves.' },

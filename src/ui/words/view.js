@@ -10,6 +10,8 @@ export const PANELS = {
   left: 'Robot and program',
   right: 'Joints and poses',
   view: '3-D view of the arm',
+  skip: { label: 'Skip', view: 'To the view', robot: 'To the table' },
+  leftEdge: 'Width of the left panel',
 };
 
 export const VIEW = {

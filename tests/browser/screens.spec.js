@@ -1,0 +1,96 @@
+/** The page's manners that a look at every screen asked for: order of the keyboard, the left edge, the view in the address. */
+import { expect, test } from '@playwright/test';
+import { open } from './page.js';
+
+test('the keyboard comes to the picture and the table at once, and each button shows that it has the focus', async ({
+  page,
+}) => {
+  await open(page);
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('img', { name: /Puma 560 in 3-D/ })).toBeFocused();
+  await page.getByRole('link', { name: 'To the table' }).focus();
+  await page.keyboard.press('Enter');
+  await expect(page.getByLabel('Joint 1, joint angle θ, degrees')).toBeFocused();
+  const unseen = await page.evaluate(() =>
+    [...document.querySelectorAll('.btn:not(:disabled)')]
+      .filter((button) => button instanceof HTMLElement && button.checkVisibility())
+      .filter((button) => {
+        if (button instanceof HTMLElement) button.focus();
+        return getComputedStyle(button).outlineStyle === 'none';
+      })
+      .map((button) => button.textContent),
+  );
+  expect(unseen).toEqual([]);
+});
+
+test('the left panel is made wider by pulling and by keys, and is so the next time', async ({ page }) => {
+  await open(page);
+  const left = page.getByRole('complementary', { name: 'Robot and program' });
+  const edge = page.getByRole('separator', { name: 'Width of the left panel' });
+  const width = async () => Math.round((await left.boundingBox())?.width ?? 0);
+  expect(await width()).toBe(404);
+  await edge.focus();
+  await page.keyboard.press('ArrowRight');
+  expect(await width()).toBe(420);
+  await expect(edge).toHaveAttribute('aria-valuenow', '420');
+  const box = await edge.boundingBox();
+  if (!box) throw new Error('The edge is not on the page.');
+  await page.mouse.move(box.x + 3, 500);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 63, 510);
+  await page.mouse.up();
+  expect(await width()).toBe(480);
+  await page.mouse.down();
+  await page.mouse.move(1300, 510);
+  expect(await width()).toBe(555); // the view keeps its share
+  await page.keyboard.press('Escape');
+  await page.mouse.up();
+  expect(await width()).toBe(480);
+  await page.reload();
+  await page.evaluate(() => window.denavit.ready);
+  expect(await width()).toBe(480);
+  await edge.dblclick();
+  expect(await width()).toBe(404);
+});
+
+test('the address says from where the arm is seen, how, and with which frames', async ({ page }) => {
+  await open(page, 'view=top&projection=parallel&frames=all');
+  await expect(page.getByRole('img')).toHaveAccessibleName(/Frames drawn: base, 1, 2, 3, 4, 5, 6?,? ?tool/);
+  const turned = await page.locator('.cube').getAttribute('style');
+  expect(turned).toMatch(/rotateX\(-1\.5/);
+  await page.getByRole('button', { name: 'Direction of view' }).click();
+  await expect(page.locator('.dropdown-item[aria-current]')).toHaveText('Parallel (orthographic)');
+  await open(page, 'view=under&frames=some');
+  await expect(page.getByRole('alert')).toHaveText([
+    '?view=under is not understood. Expected iso, front, back, left, right, top or bottom. Using iso.',
+    '?frames=some is not understood. Expected none, ends, row or all. Using ends.',
+  ]);
+});
+
+for (const [width, height] of [
+  [768, 1024],
+  [1024, 768],
+]) {
+  test(`on a tablet of ${width} × ${height} each panel has room`, async ({ page }) => {
+    await page.setViewportSize({ width, height });
+    await open(page, 'robot=ur5');
+    const dock = page.getByRole('navigation', { name: 'Panels' });
+    for (const [name, room] of [
+      ['Robot', 'robot'],
+      ['Jog', 'jog'],
+      ['Aim', 'aim'],
+      ['Program', 'program'],
+      ['Code', 'code'],
+    ]) {
+      await dock.getByRole('button', { name }).click();
+      const panel = page.locator(`[data-room=${room}]`);
+      await expect(panel).toBeVisible();
+      const box = await panel.boundingBox();
+      expect(box?.width, name).toBeGreaterThanOrEqual(360);
+      expect(box?.width, name).toBeLessThanOrEqual(width);
+    }
+    const view = await page.locator('canvas').boundingBox();
+    expect((view?.width ?? 0) * (view?.height ?? 0)).toBeGreaterThan(0.38 * width * height);
+  });
+}

@@ -21,6 +21,7 @@ import { TEXT } from './strings.js';
 export function createProgramPanel(page, host) {
   const { store, addView, announce } = page;
   const record = recordButton();
+  record.hidden = true; // until it is known that the empty room does not offer it
   const content = h('div', {});
   const reasonLine = h('p', { class: 'reason sm', id: 'program-reason', role: 'note', hidden: true });
   fill(

@@ -31,6 +31,7 @@
  * @property {number | null} openJoint  the joint whose limits, home and link are open below the table
  * @property {readonly number[] | null} target  X Y Z W P R in document units; null while it follows the tool
  * @property {AimAnswer | null} answer  what inverse kinematics said to the target
+ * @property {{ readonly posture: readonly number[], readonly label: string } | null} ghost  where the arm would stand: a solution being looked at
  * @property {FramesShown} frames   of the scene; this and the next stay when another document is opened
  * @property {'perspective' | 'parallel'} projection
  * @property {BuildUp | null} build  how a row of the table makes a frame from the one before, being shown
@@ -66,6 +67,7 @@ const FRESH = {
   openJoint: null,
   target: null,
   answer: null,
+  ghost: null,
   frames: 'ends',
   projection: 'perspective',
   build: null,
@@ -128,7 +130,7 @@ function settle(state, history, next) {
   const openJoint = session.openJoint === null ? null : Math.min(session.openJoint, robot.joints.length - 1);
   const numbers = fitNumbers(session.numbers, robot);
   const kept = { panel, tab, edition, frames, projection, handle, openJoint, numbers };
-  return { ...next, session: sameShape ? { ...session, answer: null } : { ...FRESH, ...kept } };
+  return { ...next, session: sameShape ? { ...session, answer: null, ghost: null } : { ...FRESH, ...kept } };
 }
 
 /** @param {AppState} state @param {AppState} before @returns {AppState} */

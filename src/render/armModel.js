@@ -18,6 +18,7 @@ import {
   Mesh,
   MeshLambertMaterial,
   MeshStandardMaterial,
+  ReplaceStencilOp,
 } from 'three';
 import { identity } from '../kinematics/pose.js';
 import { armParts } from './armParts.js';
@@ -31,6 +32,11 @@ const KINDS = ['link', 'joint', 'tool'];
 
 /** Edges lie on the faces that they bound: the faces step back a little for them. */
 const BEHIND_EDGES = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
+
+/** Where the arm is, the stencil is 1, and ghosts (ghostArms.js) stay away. */
+const ARM_STENCIL = { stencilWrite: true, stencilRef: 1, stencilZPass: ReplaceStencilOp };
+
+const SOLID = { ...BEHIND_EDGES, ...ARM_STENCIL };
 
 /** @typedef {{ mesh: Mesh, edges: LineSegments, link: number, parent: number, kind: PartKind, corners: Vector3[] }} Piece */
 
@@ -50,7 +56,7 @@ export function createArmModel({ skin, isLow }) {
   let lit = null;
 
   const solid = () =>
-    isLow ? new MeshLambertMaterial(BEHIND_EDGES) : new MeshStandardMaterial({ ...BEHIND_EDGES, metalness: 0.04 });
+    isLow ? new MeshLambertMaterial(SOLID) : new MeshStandardMaterial({ ...SOLID, metalness: 0.04 });
   /** @type {ReturnType<typeof solid>[]} */
   let linkMaterials = [];
   const jointMaterial = solid();

@@ -20,7 +20,7 @@
  * @property {Clock} clock
  */
 import { isAtAnswer, poseFromXyzwpr } from '../model/aim.js';
-import { compileLinkStyles } from '../model/compile.js';
+import { compileLinkStyles, compilePose, compilePosture } from '../model/compile.js';
 import { memo } from '../model/memo.js';
 import { isRowField, motionAt } from '../model/rowMotions.js';
 import { together } from '../model/views.js';
@@ -129,6 +129,23 @@ export function createRobotView({ store, addView, derived, clock }, options) {
         if (joint === null || Math.min(stage.width, 1.5 * stage.height) < SMALL) stage.closeIn(joint);
       });
     },
+  );
+
+  const withGhosts = whenWanted(async () => (await import('./ghostArms.js')).createGhostArms);
+  addView(
+    together(({ doc, session }) => [doc.robot, session.ghost]),
+    ([robot, ghost]) =>
+      withGhosts(ghost !== null, (ghosts) =>
+        ghosts.want(ghost ? [{ q: compilePosture(robot, ghost.posture), label: ghost.label }] : []),
+      ),
+  );
+  const withTargets = whenWanted(async () => (await import('./targetFrames.js')).createTargetFrames);
+  addView(
+    together(({ doc }) => [doc.targets, doc.robot.units]),
+    ([targets, units]) =>
+      withTargets(targets.length > 0, (marks) =>
+        marks.want(targets.map((target) => ({ id: target.id, T_base_target: compilePose(target, units) }))),
+      ),
   );
 
   const withBuild = whenWanted(async () => (await import('./buildMarks.js')).createBuildMarks);

@@ -20,9 +20,9 @@ const SHARPEST = 2; // pixels of the screen for one of the page: beyond that it 
 export function createSurface({ host, isLow, onResize, onLose, onRestore }) {
   const canvas = document.createElement('canvas');
   // asked for here, since Three.js would write its disappointment to the console
-  const context = canvas.getContext('webgl2', { alpha: true, antialias: !isLow, stencil: false, depth: true });
+  const context = canvas.getContext('webgl2', { alpha: true, antialias: !isLow, stencil: true, depth: true });
   if (!context) return null;
-  const renderer = new WebGLRenderer({ canvas, context, alpha: true, antialias: !isLow });
+  const renderer = new WebGLRenderer({ canvas, context, alpha: true, antialias: !isLow, stencil: true });
   renderer.shadowMap.enabled = !isLow;
   renderer.shadowMap.autoUpdate = false;
   Object.assign(canvas.style, { display: 'block', width: '100%', height: '100%' });

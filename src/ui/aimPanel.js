@@ -10,6 +10,7 @@ import { memo } from '../model/memo.js';
 import { together } from '../model/views.js';
 import { differenceInWords, verdictInWords } from './verdict.js';
 import { fill, h } from './dom.js';
+import { foldMaker } from './fold.js';
 import { editable, poseNumber, roundedPose, unitSign } from './format.js';
 import { icon } from './icons.js';
 import { readNumber } from './numberText.js';
@@ -74,6 +75,18 @@ export function createAimPanel(page, host) {
     ),
     form,
   );
+  const fold = foldMaker(page.clock, page.messages.fault);
+  const solutions = fold('fold-solutions', async (body) => {
+    const [{ createSolutionsPanel }, { SOLUTIONS }] = await Promise.all([
+      import('./solutionsPanel.js'),
+      import('./words/solutions.js'),
+    ]);
+    createSolutionsPanel(page, body, (...counts) =>
+      solutions.setHead(TEXT.aim.solutions, SOLUTIONS.summary(...counts)),
+    );
+  });
+  solutions.setHead(TEXT.aim.solutions, TEXT.aim.solutionsDetail);
+  host.append(solutions.element);
 
   const poseOf = memo(poseFromXyzwpr);
   /** What the fields say: the target someone asked for, or the tool while nobody aims. @param {AppState} state */

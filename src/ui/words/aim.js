@@ -12,6 +12,8 @@ export const AIM = {
   subspace: (/** @type {string} */ task) => `Met as far as this arm can: ${task}`,
   asNear: (/** @type {string} */ distance, /** @type {string} */ angle) =>
     `The arm stands ${distance} and ${angle} off, as near as was found.`,
+  solutions: 'Solutions',
+  solutionsDetail: 'other postures for this pose',
   wentNearest: 'The arm stands at the nearest posture found.',
 };
 

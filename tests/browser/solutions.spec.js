@@ -1,0 +1,59 @@
+/** Choosing among the postures for a pose, and accepting the nearest where there is none. */
+import AxeBuilder from '@axe-core/playwright';
+import { expect, test } from '@playwright/test';
+import { open, tool } from './page.js';
+
+const HERE = 'q=-32,58,-168,24,52,-18';
+const rows = (/** @type {import('@playwright/test').Page} */ page) =>
+  page.getByRole('listbox', { name: 'Solutions of the target' }).getByRole('option');
+const joints = (/** @type {import('@playwright/test').Page} */ page) => page.evaluate(() => window.denavit.joints());
+
+test.use({ reducedMotion: 'reduce' });
+
+test('the third of eight solutions: a ghost while it is looked at, and the arm goes there with the tool in its place', async ({
+  page,
+}) => {
+  await open(page, HERE);
+  const place = await tool(page);
+  await page.getByRole('button', { name: /^Solutions/ }).click();
+  await expect(rows(page)).toHaveCount(8);
+  await rows(page).nth(2).hover();
+  await expect(page.locator('.tag.ghost')).toHaveText('3 front, down, no flip');
+  await rows(page).nth(2).click();
+  await expect(rows(page).nth(2)).toHaveAttribute('aria-selected', 'true');
+  const now = await tool(page);
+  now.forEach((value, i) => expect(value).toBeCloseTo(place[i], 9));
+  expect((await joints(page))[2]).not.toBeCloseTo(-168, 0);
+  const { violations } = await new AxeBuilder({ page }).include('.aim-panel').analyze();
+  expect(violations).toEqual([]);
+  await page.keyboard.press('Control+z');
+  expect(await joints(page)).toEqual([-32, 58, -168, 24, 52, -18]);
+});
+
+test('by keys alone: open, look, filter, go', async ({ page }) => {
+  await open(page, HERE);
+  await page.getByRole('button', { name: /^Solutions/ }).focus();
+  await page.keyboard.press('Enter');
+  await expect(rows(page)).toHaveCount(8);
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('Space');
+  await expect(rows(page)).toHaveCount(5);
+  await page.keyboard.press('Tab');
+  await expect(rows(page).first()).toBeFocused();
+  await page.keyboard.press('ArrowDown');
+  await expect(page.locator('.tag.ghost')).toContainText('2 ');
+  await page.keyboard.press('Enter');
+  await expect(rows(page).nth(1)).toHaveAttribute('aria-selected', 'true');
+  await expect(page.locator('.tag.ghost')).toHaveCount(0);
+});
+
+test('a target out of reach has no solutions, and the nearest pose is one click away', async ({ page }) => {
+  await open(page, HERE);
+  await page.getByRole('button', { name: /^Solutions/ }).click();
+  await expect(rows(page)).toHaveCount(8);
+  await page.getByLabel('Target X, millimetres').fill('3000');
+  await page.keyboard.press('Enter');
+  await expect(page.locator('.aim-panel')).toContainText('No posture takes the tool to this pose.');
+  await page.getByRole('button', { name: 'Go as near as found' }).click();
+  await expect(page.locator('.tag.miss')).toContainText('mm');
+});

@@ -86,7 +86,14 @@ export function createAimPanel(page, host) {
     );
   });
   solutions.setHead(TEXT.aim.solutions, TEXT.aim.solutionsDetail);
-  host.append(solutions.element);
+  const named = fold('fold-targets', async (body) =>
+    (await import('./targetsPanel.js')).createTargetsPanel(page, body),
+  );
+  addView(
+    ({ doc }) => doc.targets.length,
+    (count) => named.setHead(TEXT.aim.named, count === 0 ? TEXT.aim.noneNamed : String(count)),
+  );
+  host.append(solutions.element, named.element);
 
   const poseOf = memo(poseFromXyzwpr);
   /** What the fields say: the target someone asked for, or the tool while nobody aims. @param {AppState} state */

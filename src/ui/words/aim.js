@@ -14,6 +14,8 @@ export const AIM = {
     `The arm stands ${distance} and ${angle} off, as near as was found.`,
   solutions: 'Solutions',
   solutionsDetail: 'other postures for this pose',
+  named: 'Named targets',
+  noneNamed: 'none kept yet',
   wentNearest: 'The arm stands at the nearest posture found.',
 };
 

@@ -1,0 +1,126 @@
+/**
+ * The named targets of the document: kept, renamed, aimed at, put elsewhere in the list or in the world, and removed. Fetched
+ * when it is first opened.
+ *
+ * @import { Page } from './page.js'
+ */
+import $ from 'jquery/slim';
+import { xyzwprOf } from '../model/aim.js';
+import { compilePose } from '../model/compile.js';
+import { configurationAt } from '../model/solutions.js';
+import { together } from '../model/views.js';
+import './css/targets.css';
+import { fill, h, keepFocus } from './dom.js';
+import { icon } from './icons.js';
+import { attempt } from './page.js';
+import { TARGETS } from './words/targets.js';
+
+/**
+ * @param {Page} page
+ * @param {HTMLElement} host
+ */
+export function createTargetsPanel(page, host) {
+  const { store, addView, derived, announce } = page;
+  const keep = h('button', { type: 'button', class: 'btn btn-outline' }, icon('plus'), TARGETS.keep);
+  const list = h('ul', { class: 'targets', 'aria-label': TARGETS.list });
+  const none = h('p', { class: 'soft sm' }, TARGETS.none);
+  const reason = h('p', { class: 'reason sm', id: 'target-reason', role: 'status', hidden: true });
+  fill(host, none, list, reason, keep);
+
+  /** @param {string | null} text */
+  function say(text) {
+    reason.textContent = text ?? '';
+    reason.hidden = text === null;
+  }
+
+  /** What the target fields say now, as the document keeps it; with the configuration, where the arm stands there. */
+  function present() {
+    const { doc, session } = store.state;
+    const [x, y, z, ...rpy] = session.target ?? derived.xyzwpr(doc);
+    const pose = { xyz: [x, y, z], rpy };
+    if (session.target) return { pose };
+    const { text } = configurationAt(doc.robot, derived.chain(doc), doc.posture).fanuc;
+    return { pose, ...(text !== null && { configuration: text }) };
+  }
+
+  keep.addEventListener('click', () => {
+    const against = attempt(page, { type: 'add-target', ...present() });
+    say(against);
+    announce(against ?? TARGETS.kept(store.state.doc.targets.at(-1)?.id ?? ''));
+  });
+
+  $(list)
+    .on('click', '[data-action]', ({ currentTarget }) => {
+      const { action, index: text } = currentTarget.dataset;
+      const index = Number(text);
+      const { robot, targets } = store.state.doc;
+      const { id } = targets[index];
+      if (action === 'aim') {
+        const target = xyzwprOf(robot, compilePose(targets[index], robot.units));
+        store.dispatch({ type: 'show', change: { target, answer: null } });
+        announce(TARGETS.aimed(id));
+      } else if (action === 'set') {
+        say(attempt(page, { type: 'edit-target', index, ...present() }));
+        announce(TARGETS.setDone(id));
+      } else if (action === 'up') {
+        say(attempt(page, { type: 'move-target', index, to: index - 1 }));
+      } else if (action === 'remove') {
+        say(attempt(page, { type: 'remove-target', index }));
+        announce(TARGETS.removed(id));
+      }
+    })
+    .on('change', 'input', ({ currentTarget: field }) => {
+      const against = attempt(page, {
+        type: 'rename-target',
+        index: Number(field.dataset.index),
+        id: field.value.trim(),
+      });
+      say(against);
+      if (against) field.setAttribute('aria-invalid', 'true');
+      else field.removeAttribute('aria-invalid');
+      if (against) announce(against);
+    });
+
+  addView(
+    together(({ doc }) => [doc.targets]),
+    ([targets]) => {
+      none.hidden = targets.length > 0;
+      keepFocus(list, 'button', () =>
+        fill(
+          list,
+          targets.map(({ id }, i) => row(id, i)),
+        ),
+      );
+    },
+  );
+}
+
+/** @param {string} id @param {number} index */
+function row(id, index) {
+  /** @param {string} action @param {string} label @param {...(Node | string)} content */
+  const button = (action, label, ...content) =>
+    h(
+      'button',
+      {
+        type: 'button',
+        class: 'btn btn-small',
+        'data-action': action,
+        'data-index': index,
+        'aria-label': label,
+        title: label,
+      },
+      content,
+    );
+  return h(
+    'li',
+    {},
+    h('input', {
+      ...{ type: 'text', value: id, autocomplete: 'off', spellcheck: 'false', 'aria-label': TARGETS.name(id) },
+      ...{ 'data-index': index, 'aria-describedby': 'target-reason' },
+    }),
+    button('aim', TARGETS.aim(id), TARGETS.aimShort),
+    button('set', TARGETS.set(id), TARGETS.setShort),
+    index > 0 && button('up', TARGETS.up(id), TARGETS.upShort),
+    button('remove', TARGETS.remove(id), icon('trash')),
+  );
+}

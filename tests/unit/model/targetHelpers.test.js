@@ -1,0 +1,41 @@
+import { expect, test } from 'vitest';
+import { poseFromXyzwpr } from '../../../src/model/aim.js';
+import { LIBRARY } from '../../../src/model/library.js';
+import { lookingAt, toolDown, turnedAs } from '../../../src/model/targetHelpers.js';
+
+const T = poseFromXyzwpr(LIBRARY.puma560, [400, -100, 700, 30, -50, 110]);
+const column = (/** @type {Float64Array} */ M, /** @type {number} */ k) => [...M.subarray(4 * k, 4 * k + 3)];
+const dot = (/** @type {number[]} */ a, /** @type {number[]} */ b) =>
+  a.reduce((sum, value, i) => sum + value * b[i], 0);
+
+/** Square, of length one, right-handed. @param {Float64Array} M */
+function expectRigid(M) {
+  const [x, y, z] = [0, 1, 2].map((k) => column(M, k));
+  for (const [a, b, wanted] of /** @type {const} */ ([[x, x, 1], [y, y, 1], [z, z, 1], [x, y, 0], [y, z, 0], [z, x, 0]])) expect(dot([...a], [...b])).toBeCloseTo(wanted, 12); // prettier-ignore
+  expect(x[0] * y[1] - x[1] * y[0]).toBeCloseTo(z[2], 12);
+}
+
+test('the tool down stays in its place, from any way and from straight up', () => {
+  const up = poseFromXyzwpr(LIBRARY.puma560, [400, -100, 700, 0, 0, 30]);
+  for (const from of [T, up, toolDown(T)]) {
+    const down = toolDown(from);
+    expectRigid(down);
+    expect(column(down, 2)).toEqual([0, 0, -1]);
+    expect(column(down, 3)).toEqual(column(from, 3));
+  }
+});
+
+test('looking at a point puts it on the z axis; the point of the tool itself is refused', () => {
+  const look = lookingAt(T, [0.4, 0.9, 0.2]);
+  if (!look) throw new Error('Expected a pose.');
+  expectRigid(look);
+  const length = Math.hypot(1, -0.5);
+  [0, 1 / length, -0.5 / length].forEach((value, i) => expect(look[8 + i]).toBeCloseTo(value, 12));
+  expect(lookingAt(T, column(T, 3))).toBeNull();
+});
+
+test('turned as another pose keeps its place', () => {
+  const mixed = turnedAs(T, toolDown(T));
+  expect(column(mixed, 3)).toEqual(column(T, 3));
+  expect(column(mixed, 2)).toEqual([0, 0, -1]);
+});

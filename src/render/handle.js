@@ -50,7 +50,7 @@ export function createHandle({ scene, skin, labels, missing }) {
   group.add(...pieces.map((piece) => piece.group));
   const dot = Object.assign(labels.add('dot'), { parent: group, visible: false });
   const letters = /** @type {const} */ (['X', 'Y', 'Z']).map((name, axis) => {
-    const label = labels.add(`axis axis-${name.toLowerCase()} strong`);
+    const label = labels.add(`axis axis-${name.toLowerCase()} strong of-handle`);
     label.write(name);
     label.at.fromArray(alongUnit(axis, 1));
     return Object.assign(label, { parent: group, from: new Vector3(), gap: LETTER_GAP, yields: true, visible: false });

@@ -99,7 +99,7 @@ export function createHandleBar({ store, addView, announce }, host, { isWide, po
       const text = hindrance ? hindranceInWords(robot, hindrance) : toolKeys ? words.takenShort[toolKeys] : '';
       line.hidden = text === '';
       line.classList.toggle('is-stopped', Boolean(hindrance));
-      fill(line, hindrance && icon('slash'), text);
+      fill(line, hindrance && icon('slash'), h('span', {}, text));
       const now = hindrance ? `${hindrance.kind} ${hindrance.joint}` : '';
       if (now !== said && hindrance) announce(text);
       said = now;

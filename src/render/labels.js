@@ -55,7 +55,14 @@ export function createLabels(host) {
     add(className) {
       const element = document.createElement('span');
       element.className = `tag ${className}`;
-      Object.assign(element.style, { position: 'absolute', left: '0', top: '0', whiteSpace: 'nowrap' });
+      // not to be seen before it has its place, which it gets with the next picture
+      Object.assign(element.style, {
+        position: 'absolute',
+        left: '0',
+        top: '0',
+        whiteSpace: 'nowrap',
+        display: 'none',
+      });
       layer.append(element);
       const tag = { element, text: '', width: 0, height: 0 };
       /** @type {Label} */

@@ -131,6 +131,7 @@ export function createDhTable(page, host) {
 
   /** @param {RobotDoc} robot */
   function build({ joints, units }) {
+    const edited = placeOf(document.activeElement);
     cells = joints.map((_, row) => COLUMNS.map(({ field }) => makeCell(row, field)));
     const sameKind = joints.every((joint) => isSliding(joint) === isSliding(joints[0]));
     table.classList.toggle('is-mixed', !sameKind);
@@ -177,7 +178,23 @@ export function createDhTable(page, host) {
       h('tbody', {}, rows),
     );
     if (goal !== null || focused >= 0) menus[Math.min(goal ?? focused, menus.length - 1)].focus();
+    else if (edited) goOnAt(edited);
     goal = null;
+  }
+
+  /** @param {Element | null} element @returns {{ row: number, column: number } | null} */
+  function placeOf(element) {
+    for (const [row, inputs] of cells.entries()) {
+      const column = inputs.findIndex(({ input }) => input === element);
+      if (column >= 0) return { row, column };
+    }
+    return null;
+  }
+
+  /** The cell that had the focus is gone, and not every browser says so: the one in its place has it now. @param {{ row: number, column: number }} place */
+  function goOnAt({ row, column }) {
+    store.dispatch({ type: 'show', change: { cell: null } });
+    cells[Math.min(row, cells.length - 1)][column].input.focus({ preventScroll: true });
   }
 
   watchTableKeys(table, () => cells.map((row) => row.map(({ input }) => input)), cellLine.answer);

@@ -9,7 +9,7 @@
  */
 import $ from 'jquery/slim';
 import { shownFrames } from '../model/shownFrames.js';
-import { isRowField } from '../model/rowMotions.js';
+import { isRowField, motionAt } from '../model/rowMotions.js';
 import { together } from '../model/views.js';
 import { createBuildButton } from './buildButton.js';
 import { fill, h } from './dom.js';
@@ -64,8 +64,12 @@ export function createViewPanel(page, host, { poseInWords, isCalm, isWide }) {
   function drawn() {
     const { doc, session } = store.state;
     const frames = shownFrames(session, doc.robot.joints.length).map(TEXT.view.frameName);
-    const cell = session.pointedCell ?? session.cell;
+    const { build } = session;
+    const cell = build
+      ? { joint: build.joint, field: motionAt(doc.robot.convention, build.at)?.motion.field ?? '' }
+      : (session.pointedCell ?? session.cell);
     return [
+      build && TEXT.view.building(build.joint + 1, Math.floor(build.at)),
       frames.length ? TEXT.view.drawnFrames(frames) : TEXT.view.noFrames,
       cell && isRowField(cell.field) && TEXT.view.drawnDimension(asText(text.dimension(cell.joint, cell.field))),
     ]

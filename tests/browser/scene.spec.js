@@ -147,6 +147,102 @@ test('the picture comes back after the graphics context was lost, with all that 
   await expectPicture(page, before);
 });
 
+test('the cell that has the focus when another arm comes hands it to the cell in its place, with the drawing', async ({
+  page,
+}) => {
+  await page.setViewportSize(SMALL);
+  await open(page, 'robot=scara_cobra600');
+  const [offset, upper] = ['Joint 3, link offset d, millimetres', 'Joint 3, upper limit, millimetres'];
+  await cell(page, offset).focus();
+  await expect(dimension(page)).toHaveText('d3 + q3 = 80.0 mm');
+  await page.evaluate(async (label) => {
+    await window.denavit.load('stanford');
+    /** @type {HTMLElement | null} */ (document.querySelector(`[aria-label="${label}"]`))?.focus(); // still the old table's
+  }, upper);
+  await expect(page.locator('.tag.tick').first()).toBeVisible(); // the limits of the joint
+  await expect(dimension(page)).toHaveText(/^J3 /);
+  await expect(cell(page, upper)).toBeFocused();
+  await page.locator('canvas').focus();
+  await expect(dimension(page)).toHaveCount(0);
+});
+
+test('no label is to be seen before it has its place', async ({ page }) => {
+  await page.setViewportSize(SMALL);
+  await open(page);
+  await page.locator('.scene-labels').evaluate((layer) => {
+    new MutationObserver((changes) => {
+      for (const { addedNodes } of changes)
+        for (const tag of addedNodes)
+          if (tag instanceof HTMLElement && tag.style.display !== 'none' && !tag.style.transform)
+            layer.setAttribute('data-early', `${layer.getAttribute('data-early') ?? ''}${tag.textContent} `);
+    }).observe(layer, { childList: true });
+  });
+  await cell(page, 'Joint 1, upper limit, degrees').focus();
+  await expect(dimension(page)).toBeVisible();
+  await cell(page, 'Joint 1, link offset d, millimetres').focus();
+  await expect(dimension(page)).toHaveText('d1 = 671.83 mm');
+  await choose(page, 'Frames', 'All frames');
+  await expect(page.locator('.tag.axis-z').filter({ hasText: /^z[0-6]$/ })).toHaveCount(7);
+  await expect(page.locator('.scene-labels')).not.toHaveAttribute('data-early');
+});
+
+test('the picture is as sharp as the screen, and its words stay where they belong, when the screen is another', async ({
+  page,
+}) => {
+  await page.setViewportSize(SMALL);
+  await page.goto('./?quality=high&theme=light&hint=off'); // `open` asks for the low one, which is never sharper
+  await page.evaluate(() => window.denavit.ready);
+  const canvas = page.locator('canvas');
+  const pixels = () =>
+    canvas.evaluate((element) => {
+      const { width, height, clientWidth, clientHeight } = /** @type {HTMLCanvasElement} */ (element);
+      return [width / clientWidth, height / clientHeight];
+    });
+  const places = () =>
+    page.locator('.tag:visible').evaluateAll((tags) =>
+      tags.map((tag) => {
+        const { x, y } = tag.getBoundingClientRect();
+        return `${tag.textContent} ${Math.round(x)} ${Math.round(y)}`;
+      }),
+    );
+  expect(await pixels()).toEqual([1, 1]);
+  const before = await places();
+  const session = await page.context().newCDPSession(page);
+  for (const [deviceScaleFactor, sharpest] of [
+    [2, 2],
+    [3, 2], // beyond two it only costs
+    [1, 1],
+  ]) {
+    const drawn = await draws(page);
+    await session.send('Emulation.setDeviceMetricsOverride', { ...SMALL, deviceScaleFactor, mobile: false });
+    await expect.poll(pixels).toEqual([sharpest, sharpest]);
+    if (deviceScaleFactor !== 3) await expect.poll(() => draws(page)).toBeGreaterThan(drawn);
+    await expect.poll(places).toEqual(before);
+  }
+});
+
+test('a view that breaks says so, alone: the table and the numbers go on', async ({ page }) => {
+  await page.setViewportSize(SMALL);
+  await page.goto('./?quality=low&theme=light&hint=off'); // not `open`, which forbids the console's error
+  await page.evaluate(() => window.denavit.ready);
+  await page.evaluate(() => {
+    const { prototype } = WebGL2RenderingContext;
+    prototype.drawElements = prototype.drawArrays = () => {
+      throw new Error('The driver is gone.');
+    };
+  });
+  const a2 = cell(page, 'Joint 2, link length a, millimetres');
+  await a2.fill('600');
+  await a2.press('Enter');
+  await expect(page.getByRole('alert')).toHaveText(
+    /Something broke here: The driver is gone\. The rest of the page goes on working\./,
+  );
+  await expect(page.locator('.pose-panel output').first()).toHaveText('715.24');
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(a2).toHaveValue('431.8');
+  await expect(page.getByRole('alert')).toHaveCount(1);
+});
+
 test('pictures: the arm of the first load', async ({ page }) => {
   await page.setViewportSize(SMALL);
   await open(page);
@@ -157,6 +253,21 @@ test('pictures: the arm of the first load', async ({ page }) => {
   await cell(page, 'Joint 3, link twist α, degrees').focus();
   await expect(dimension(page)).toHaveText('α3 = −90°');
   await looksAs(page, 'puma-dimension-alpha3');
+  await page.getByRole('button', { name: 'Build it' }).click();
+  const player = page.getByRole('region', { name: 'Build it: how a row makes a frame' });
+  await expect(player).toContainText('Four motions');
+  for (const step of ['1 of 4:', '2 of 4:']) {
+    await page.keyboard.press('ArrowRight');
+    await expect(player).toContainText(step);
+  }
+  await expect(page.locator('canvas')).toHaveAttribute(
+    'aria-label',
+    /“Build it” is open at row 3, with 2 of its 4 motions done\. Frames drawn: 2, 3\. Dimension drawn: d₃ = 150\.05 mm\./,
+  );
+  await expect(dimension(page)).toHaveText('d3 = 150.05 mm');
+  await looksAs(page, 'puma-build-row3-step2');
+  await page.keyboard.press('Escape');
+  await expect(player).toHaveCount(0);
   await choose(page, 'Frames', 'All frames');
   await choose(page, 'Direction of view', 'Parallel (orthographic)');
   await press(page, '5');
@@ -177,4 +288,33 @@ test('pictures: other arms', async ({ page }) => {
   await cell(page, 'Joint 3, upper limit, millimetres').focus();
   await expect(dimension(page)).toContainText('J3');
   await looksAs(page, 'stanford-limits-slide');
+});
+
+/** An arm of three joints in modified DH, the same in any size. @param {string} name @param {number} mm */
+const craigArm = (name, mm) =>
+  `<robotModel xmlns="urn:denavit:robot-model:1" version="1.0" lengthUnit="mm" angleUnit="deg" convention="modified">
+  <info><name>${name}</name></info><chain>
+    <joint id="j1" type="revolute"><dh theta="0" d="${0.3 * mm}" a="0" alpha="0"/><limits lower="-170" upper="170"/></joint>
+    <joint id="j2" type="revolute"><dh theta="-50" d="0" a="${0.05 * mm}" alpha="-90"/><limits lower="-90" upper="90"/></joint>
+    <joint id="j3" type="revolute"><dh theta="70" d="${0.05 * mm}" a="${0.4 * mm}" alpha="0"/><limits lower="-120" upper="120"/></joint>
+  </chain><tool xyz="${0.3 * mm} 0 0"/></robotModel>`;
+
+test('pictures: a toy of 20 mm and a crane of 20 m in modified DH, by day and by night', async ({ page }) => {
+  await page.setViewportSize(SMALL);
+  await open(page);
+  const grid = page.locator('.scale');
+  await load(page, craigArm('Toy', 20));
+  await expect(grid).toHaveText('Grid 1 mm');
+  await looksAs(page, 'toy-home');
+  await load(page, craigArm('Crane', 20000));
+  await expect(grid).toHaveText('Grid 1000 mm');
+  await cell(page, 'Joint 3, link length a, millimetres').focus();
+  await expect(dimension(page)).toHaveText('a3 = 8000 mm');
+  await looksAs(page, 'crane-dimension-a3');
+  await page.getByRole('button', { name: 'Colours: light or dark' }).click();
+  await expect(page.locator('html')).toHaveAttribute('data-bs-theme', 'dark');
+  await page.locator('canvas').focus();
+  await page.locator('canvas').evaluate((canvas) => canvas.blur());
+  await expect(dimension(page)).toHaveCount(0);
+  await looksAs(page, 'crane-dark');
 });

@@ -45,5 +45,7 @@ export const VIEW = {
   frameName: (/** @type {number | 'tool'} */ frame) =>
     frame === 'tool' ? 'tool' : frame === 0 ? 'base' : String(frame),
   drawnDimension: (/** @type {string} */ text) => `Dimension drawn: ${text}.`,
+  building: (/** @type {number} */ row, /** @type {number} */ done) =>
+    `“Build it” is open at row ${row}, with ${done} of its 4 motions done.`,
   grid: (/** @type {string} */ step) => `Grid ${step}`,
 };

@@ -141,7 +141,7 @@ describe('the views', () => {
     expect(clock.idle).toBe(true);
     view.fit(points, 3, { free: null, from: 'top', flies: true });
     let seconds = 0;
-    for (; !clock.idle; seconds += 1 / 60) clock.tick();
+    for (; !clock.idle && seconds < 2; seconds += 1 / 60) clock.tick();
     expect(seconds).toBeGreaterThan(0.2);
     expect(seconds).toBeLessThan(0.4);
     expect(view.viewpoint().elevation).toBeCloseTo(Math.PI / 2, 4);
@@ -187,6 +187,23 @@ describe('the views', () => {
       expect(seen[0].x).toBeCloseTo(seen[1].x, 9);
       expect(seen[0].y).toBeCloseTo(seen[1].y, 9);
       for (const { z } of seen) expect(Math.abs(z)).toBeLessThan(1);
+    }
+  });
+
+  test('fill the picture alike with an arm of any size, a folded one too', () => {
+    const seen = [0.02, 1, 20].map((size) => {
+      const { view } = createStillView(true);
+      return [1, 0.02].map((share) => {
+        const scaled = points.map((point) => point.clone().multiplyScalar((share * size) / 3));
+        view.fit(scaled, size, { free: null, from: 'home', flies: false });
+        view.camera.updateMatrixWorld();
+        return Math.max(...scaled.map((point) => Math.abs(point.clone().project(view.camera).y)));
+      });
+    });
+    for (const [whole, folded] of seen) {
+      expect(whole).toBeCloseTo(0.65, 2);
+      expect(folded).toBeCloseTo(seen[1][1], 9);
+      expect(folded).toBeLessThan(0.1); // not blown up
     }
   });
 

@@ -186,41 +186,6 @@ test('no label is to be seen before it has its place', async ({ page }) => {
   await expect(page.locator('.scene-labels')).not.toHaveAttribute('data-early');
 });
 
-test('the picture is as sharp as the screen, and its words stay where they belong, when the screen is another', async ({
-  page,
-}) => {
-  await page.setViewportSize(SMALL);
-  await page.goto('./?quality=high&theme=light&hint=off'); // `open` asks for the low one, which is never sharper
-  await page.evaluate(() => window.denavit.ready);
-  const canvas = page.locator('canvas');
-  const pixels = () =>
-    canvas.evaluate((element) => {
-      const { width, height, clientWidth, clientHeight } = /** @type {HTMLCanvasElement} */ (element);
-      return [width / clientWidth, height / clientHeight];
-    });
-  const places = () =>
-    page.locator('.tag:visible').evaluateAll((tags) =>
-      tags.map((tag) => {
-        const { x, y } = tag.getBoundingClientRect();
-        return `${tag.textContent} ${Math.round(x)} ${Math.round(y)}`;
-      }),
-    );
-  expect(await pixels()).toEqual([1, 1]);
-  const before = await places();
-  const session = await page.context().newCDPSession(page);
-  for (const [deviceScaleFactor, sharpest] of [
-    [2, 2],
-    [3, 2], // beyond two it only costs
-    [1, 1],
-  ]) {
-    const drawn = await draws(page);
-    await session.send('Emulation.setDeviceMetricsOverride', { ...SMALL, deviceScaleFactor, mobile: false });
-    await expect.poll(pixels).toEqual([sharpest, sharpest]);
-    if (deviceScaleFactor !== 3) await expect.poll(() => draws(page)).toBeGreaterThan(drawn);
-    await expect.poll(places).toEqual(before);
-  }
-});
-
 test('a view that breaks says so, alone: the table and the numbers go on', async ({ page }) => {
   await page.setViewportSize(SMALL);
   await page.goto('./?quality=low&theme=light&hint=off'); // not `open`, which forbids the console's error
@@ -266,11 +231,13 @@ test('pictures: the arm of the first load', async ({ page }) => {
   );
   await expect(dimension(page)).toHaveText('d3 = 150.05 mm');
   await looksAs(page, 'puma-build-row3-step2');
-  await page.keyboard.press('Escape');
+  await player.getByRole('button', { name: 'Close “Build it”' }).click(); // hidden for its picture, it lost the focus
   await expect(player).toHaveCount(0);
   await choose(page, 'Frames', 'All frames');
   await choose(page, 'Direction of view', 'Parallel (orthographic)');
   await press(page, '5');
+  await page.locator('canvas').evaluate((canvas) => canvas.blur()); // a view in hand shows its handle, too
+  await page.mouse.move(0, 0);
   await looksAs(page, 'puma-top-parallel-frames');
 });
 

@@ -38,6 +38,12 @@ async function load(page, robot) {
   await settled(page);
 }
 
+/** Neither the pointer nor the focus in the view, where either brings the handle. @param {Page} page */
+async function leaveView(page) {
+  await page.mouse.move(0, 0);
+  await page.evaluate(() => document.activeElement instanceof HTMLElement && document.activeElement.blur());
+}
+
 test('a cell that is chosen, or under the pointer, is drawn as a dimension; nothing is left of it afterwards', async ({
   page,
 }) => {
@@ -62,7 +68,7 @@ test('a cell that is chosen, or under the pointer, is drawn as a dimension; noth
   await expect(dimension(page)).toHaveText('J2 45.0°'); // the gauge with the limits
   await page.locator('canvas').focus();
   await expect(dimension(page)).toHaveCount(0);
-  await page.locator('canvas').evaluate((canvas) => canvas.blur());
+  await leaveView(page);
   await expectPicture(page, before);
 });
 
@@ -74,15 +80,16 @@ test('views and projections are chosen by menu, cube and keys, frames by menu; w
   const status = page.locator('[role=status].visually-hidden').first();
   await page.locator('[data-face=front]').click({ force: true });
   await expect(status).toHaveText(/View: Front\./);
-  await page.mouse.move(0, 0);
+  await expect(page.getByRole('button', { name: 'World', exact: true })).toBeVisible(); // the handle's bar takes room of the view
+  await press(page, '1');
+  await leaveView(page);
   const front = await picture(page);
   await choose(page, 'Direction of view', 'Parallel (orthographic)');
   await press(page, '2');
   await expect(status).toHaveText(/View: Back\./);
   await choose(page, 'Direction of view', 'Perspective');
   await press(page, '1');
-  await page.locator('canvas').evaluate((canvas) => canvas.blur());
-  await page.mouse.move(0, 0);
+  await leaveView(page);
   await expectPicture(page, front);
   await choose(page, 'Frames', 'All frames');
   await expect(page.locator('.tag.axis-z').filter({ hasText: /^z[0-6]$/ })).toHaveCount(7);
@@ -90,6 +97,7 @@ test('views and projections are chosen by menu, cube and keys, frames by menu; w
   await load(page, 'planar2r');
   await expect(page.locator('canvas')).toHaveAttribute('aria-label', /Frames drawn: base, 1, 2, tool\./);
   await choose(page, 'Frames', 'No frames');
+  await leaveView(page);
   await expect(page.locator('.tag.axis:visible')).toHaveCount(0);
   const drawn = await draws(page);
   for (let i = 0; i < 3; i++) await settled(page);

@@ -81,7 +81,11 @@ test('views and projections are chosen by menu, cube and keys, frames by menu; w
   await page.locator('[data-face=front]').click({ force: true });
   await expect(status).toHaveText(/View: Front\./);
   await expect(page.getByRole('button', { name: 'World', exact: true })).toBeVisible(); // the handle's bar takes room of the view
+  await settled(page);
+  await press(page, '2');
+  await expect(status).toHaveText(/View: Back\./);
   await press(page, '1');
+  await expect(status).toHaveText(/View: Front\./);
   await leaveView(page);
   const front = await picture(page);
   await choose(page, 'Direction of view', 'Parallel (orthographic)');
@@ -89,6 +93,7 @@ test('views and projections are chosen by menu, cube and keys, frames by menu; w
   await expect(status).toHaveText(/View: Back\./);
   await choose(page, 'Direction of view', 'Perspective');
   await press(page, '1');
+  await expect(status).toHaveText(/View: Front\./);
   await leaveView(page);
   await expectPicture(page, front);
   await choose(page, 'Frames', 'All frames');

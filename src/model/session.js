@@ -8,6 +8,7 @@
  * @import { AimAnswer } from './aim.js'
  * @import { Hindrance } from './follow.js'
  * @import { Handle } from './handleAxes.js'
+ * @import { JogChoices } from './jogChoices.js'
  * @import { NumbersView } from './numbersView.js'
  *
  * @typedef {'robot' | 'program' | 'code'} Tab
@@ -39,6 +40,7 @@
  * @property {'move' | 'turn' | null} toolKeys  what arrow keys in the view do to the tool, once it is taken
  * @property {ToolDrag | null} drag  of the tool, under way
  * @property {number | null} pointedLink  the joint that moves the link under the pointer
+ * @property {JogChoices} jog  how the arm is jogged
  * @property {NumbersView} numbers  how they are shown and copied
  * @property {number} edition   counts how often the document was exchanged for another (opened, undone), not edited
  *
@@ -52,6 +54,7 @@
  */
 import { applyCommand } from './commands.js';
 import { deepFreeze } from './freeze.js';
+import { FIRST_JOG } from './jogChoices.js';
 import { refusal } from './refusals.js';
 import { FIRST_HANDLE } from './handleAxes.js';
 import { FIRST_NUMBERS, fitNumbers } from './numbersView.js';
@@ -75,6 +78,7 @@ const FRESH = {
   toolKeys: null,
   drag: null,
   pointedLink: null,
+  jog: FIRST_JOG,
   numbers: FIRST_NUMBERS,
   edition: 0,
 };
@@ -126,10 +130,10 @@ function settle(state, history, next) {
   if (robot === old) return { ...next, session };
   const isOther = robot.name !== old.name && robot.joints !== old.joints; // a new name alone makes no other robot
   const sameShape = robot.joints.length === old.joints.length && robot.units === old.units && !isOther;
-  const { panel, tab, edition, frames, projection, handle } = session;
+  const { panel, tab, edition, frames, projection, handle, jog } = session;
   const openJoint = session.openJoint === null ? null : Math.min(session.openJoint, robot.joints.length - 1);
   const numbers = fitNumbers(session.numbers, robot);
-  const kept = { panel, tab, edition, frames, projection, handle, openJoint, numbers };
+  const kept = { panel, tab, edition, frames, projection, handle, jog, openJoint, numbers };
   return { ...next, session: sameShape ? { ...session, answer: null, ghost: null } : { ...FRESH, ...kept } };
 }
 

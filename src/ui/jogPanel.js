@@ -13,6 +13,7 @@ import { fill, h } from './dom.js';
 import { jointNumber, unitOf, withUnit } from './format.js';
 import { createGoToMenu } from './goToMenu.js';
 import { icon } from './icons.js';
+import { createJogModes } from './jogModes.js';
 import { createJogRow, limitsInWords } from './jogRow.js';
 import { TEXT } from './strings.js';
 
@@ -25,19 +26,29 @@ export function createJogPanel(page, host) {
   const zero = h('button', { type: 'button', class: 'btn soft', title: TEXT.jog.zero }, TEXT.jog.zeroShort);
   const home = h(
     'button',
-    { type: 'button', class: 'btn soft', 'aria-label': TEXT.jog.home, title: TEXT.jog.home },
+    { type: 'button', class: 'btn btn-icon', 'aria-label': TEXT.jog.home, title: TEXT.jog.home },
     icon('home'),
-    TEXT.jog.homeShort,
   );
   const list = h('div', { class: 'body' });
   const keep = h('input', { type: 'checkbox', role: 'switch', checked: true });
   const keepRow = h('label', { class: 'switch' }, keep, TEXT.jog.keep);
+  const modes = createJogModes(page, list);
   const reasonLine = h('p', { class: 'reason sm', id: 'jog-reason', role: 'note' });
   fill(
     host,
-    h('header', {}, h('h2', {}, TEXT.jog.title), h('span', { class: 'grow' }), zero, home, createGoToMenu(page)),
+    h(
+      'header',
+      {},
+      h('h2', {}, TEXT.jog.title),
+      modes.switcher,
+      h('span', { class: 'grow' }),
+      zero,
+      home,
+      createGoToMenu(page),
+    ),
     list,
-    keepRow,
+    modes.pendant,
+    h('div', { class: 'jog-switches' }, keepRow, modes.buttonsRow),
     reasonLine,
   );
 

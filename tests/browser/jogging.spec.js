@@ -1,0 +1,161 @@
+/** Jogging: buttons each way for joints and for the axes of a frame, by steps or for as long as they are held. */
+import { AxeBuilder } from '@axe-core/playwright';
+import { expect, test } from '@playwright/test';
+import { open } from './page.js';
+
+/** @typedef {number[][]} Rows */
+/** @typedef {import('@playwright/test').Page} Page */
+
+const pose = (/** @type {Page} */ page) => page.evaluate(() => window.denavit.pose());
+const joints = (/** @type {Page} */ page) => page.evaluate(() => window.denavit.joints());
+const button = (/** @type {Page} */ page, /** @type {string} */ name) =>
+  page.getByRole('button', { name, exact: true });
+
+/** @param {Page} page */
+async function openPendant(page) {
+  await button(page, 'Tool').click();
+  await expect(page.getByRole('group', { name: 'Buttons that move the arm' })).toBeVisible();
+}
+
+/** The turn by an angle about a unit vector, by Rodrigues' formula. @param {number[]} axis @param {number} angle @returns {Rows} */
+function turnAbout([x, y, z], angle) {
+  const [c, s, v] = [Math.cos(angle), Math.sin(angle), 1 - Math.cos(angle)];
+  return [
+    [c + v * x * x, v * x * y - s * z, v * x * z + s * y],
+    [v * x * y + s * z, c + v * y * y, v * y * z - s * x],
+    [v * x * z - s * y, v * y * z + s * x, c + v * z * z],
+  ];
+}
+
+/** Where a press must take the tool. @param {Rows} T @param {number[]} direction @param {boolean} isTurn @param {number} amount @returns {Rows} */
+function jogged(T, direction, isTurn, amount) {
+  const R = turnAbout(direction, isTurn ? amount : 0);
+  return T.map((row, i) =>
+    i === 3
+      ? row
+      : row.map((value, j) => {
+          if (j === 3) return isTurn ? value : value + amount * direction[i];
+          return R[i].reduce((sum, factor, k) => sum + factor * T[k][j], 0);
+        }),
+  );
+}
+
+/** @param {Rows} one @param {Rows} other */
+const farthest = (one, other) =>
+  Math.max(...one.flatMap((row, i) => row.map((value, j) => Math.abs(value - other[i][j]))));
+
+const NAMES = ['X', 'Y', 'Z', 'Turn about X', 'Turn about Y', 'Turn about Z'];
+
+test('each button takes the tool along or about its axis, in each frame, by the step that was chosen', async ({
+  page,
+}) => {
+  await open(page, 'q=10,20,-150,30,50,20');
+  await openPendant(page);
+  for (const frame of ['World', 'Base', 'Tool']) {
+    // As a voice or a screen reader presses them; the pointer's hold is the next test.
+    const presses = await page.evaluate((text) => {
+      const press = (/** @type {Element | undefined} */ element) => element instanceof HTMLElement && element.click();
+      press([...document.querySelectorAll('.jog-frames button')].find(({ textContent }) => textContent === text));
+      return [...document.querySelectorAll('.jog-key')].map((key) => {
+        const before = window.denavit.pose();
+        press(key);
+        return { label: key.ariaLabel ?? '', before, after: window.denavit.pose() };
+      });
+    }, frame);
+    expect(presses).toHaveLength(12);
+    for (const { label, before, after } of presses) {
+      const axis = NAMES.findIndex((name) => label.startsWith(`${name},`));
+      const direction = [0, 1, 2].map((i) => (frame === 'Tool' ? before[i][axis % 3] : Number(i === axis % 3)));
+      const amount = (label.endsWith('plus') ? 1 : -1) * (axis < 3 ? 0.01 : (5 / 180) * Math.PI);
+      expect(farthest(after, jogged(before, direction, axis > 2, amount))).toBeLessThan(1e-7);
+    }
+  }
+  const { violations } = await new AxeBuilder({ page }).include('.jog-panel').analyze();
+  expect(violations.map(({ id }) => id)).toEqual([]);
+});
+
+test('what is held moves by the clock until it is let go, and is one step to undo', async ({ page }) => {
+  await open(page, 'clock=manual');
+  const ticks = (/** @type {number} */ count) =>
+    page.evaluate((n) => {
+      for (let i = 0; i < n; i++) window.denavit.clock?.tick(1 / 50);
+    }, count);
+  await button(page, 'Tool').click();
+  await expect.poll(async () => (await ticks(1), page.locator('.jog-key').count())).toBe(12);
+  await button(page, 'Hold').click();
+  await ticks(1);
+  const start = await pose(page);
+  const home = await joints(page);
+  await button(page, 'Z, minus').hover();
+  await page.mouse.down();
+  await ticks(50); // a second at half of 250 mm/s
+  const there = await pose(page);
+  expect(there[2][3] - start[2][3]).toBeCloseTo(-0.125, 6);
+  await page.mouse.up();
+  await ticks(20);
+  expect(await pose(page)).toEqual(there);
+  await page.keyboard.press('Control+z');
+  expect(await joints(page)).toEqual(home);
+
+  // Esc stops while the hand is still on, and so does a window that loses the focus.
+  for (const stop of [
+    () => page.keyboard.press('Escape'),
+    () => page.evaluate(() => dispatchEvent(new Event('blur'))),
+  ]) {
+    await page.mouse.down();
+    await ticks(10);
+    await stop();
+    const stopped = await pose(page);
+    expect(stopped).not.toEqual(start);
+    await ticks(20);
+    expect(await pose(page)).toEqual(stopped);
+    await page.mouse.up();
+    await page.keyboard.press('Control+z');
+    expect(await joints(page)).toEqual(home);
+  }
+
+  await page.mouse.down();
+  await ticks(300);
+  await expect(page.locator('.jog-word')).toContainText('Stopped: J');
+  await page.mouse.up();
+});
+
+test('keys alone: a frame, a typed step, a step each way, and joints', async ({ page }) => {
+  await open(page);
+  await button(page, 'Joints').focus();
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('Enter');
+  const size = page.getByLabel('Step of the tool’s place, millimetres');
+  await size.focus();
+  await page.keyboard.type('2000');
+  await page.keyboard.press('Enter');
+  await expect(page.locator('#jog-step-reason')).toContainText('between 0.001 and 1000');
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('Control+a');
+  await page.keyboard.type('2.5');
+  await page.keyboard.press('Enter');
+  await button(page, 'Hold').focus();
+  const before = await pose(page);
+  await page.keyboard.press('1');
+  expect((await pose(page))[0][3] - before[0][3]).toBeCloseTo(0.0025, 8);
+  await page.keyboard.press('Shift+Digit3');
+  expect((await pose(page))[2][3] - before[2][3]).toBeCloseTo(-0.0025, 8);
+  await button(page, 'Joints').focus();
+  await page.keyboard.press('Enter');
+  await page.getByLabel('Buttons', { exact: true }).focus();
+  await page.keyboard.press('Space');
+  await button(page, 'Joint 2, minus').focus();
+  const [, second] = await joints(page);
+  await page.keyboard.press('Enter');
+  await page.keyboard.press('Space');
+  expect((await joints(page))[1]).toBeCloseTo(second - 10, 9);
+});
+
+test('an arm says what it cannot do', async ({ page }) => {
+  await open(page, 'robot=planar2r&q=10,60');
+  await openPendant(page);
+  const before = await joints(page);
+  await button(page, 'Z, plus').click();
+  await expect(page.locator('.jog-word')).toHaveText('This arm has no joint that moves the tool that way.');
+  expect(await joints(page)).toEqual(before);
+});

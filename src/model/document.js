@@ -63,8 +63,7 @@
  * @property {readonly JointDoc[]} joints  2 to 6 of them
  *
  * @typedef {{ readonly id: string, readonly q: readonly number[] }} PostureDoc  a recorded posture
- * @typedef {PoseDoc & { readonly kind: 'user' | 'tool', readonly id: string, readonly number?: number,
- *   readonly active?: true }} FrameDoc  user: seen from the world; tool: from the flange; active: in use, at most one of a kind
+ * @typedef {PoseDoc & { readonly kind: 'user' | 'tool', readonly id: string, readonly number?: number }} FrameDoc
  * @typedef {PoseDoc & { readonly id: string, readonly configuration?: string }} TargetDoc  a named pose of the tool, seen from the world
  * @typedef {{ readonly id: string, readonly language: 'karel' | 'fanuc-tp' | 'krl', readonly text: string }} ProgramDoc
  *

@@ -3,6 +3,7 @@
  * is one step to undo. Whatever may have taken the hand off (the key, the pointer, the window, the page) stops it at once.
  *
  * @import { Page } from './page.js'
+ * @import { RobotDoc } from '../model/document.js'
  * @import { JogPress, JogStop } from '../model/jog.js'
  *
  * @typedef {{ readonly joint: number } | { readonly axis: number }} Way
@@ -12,7 +13,6 @@ import { compilePosture, postureFromKernel, compileRobot } from '../model/compil
 import { beginJog, jogFurther, jogJoint, withoutLimits } from '../model/jog.js';
 import { jogFramePose } from '../model/jogFrame.js';
 import { PENDANT_UNITS, mostTurnIn, rateOf, stepOf } from '../model/jogChoices.js';
-import { toolInUse } from '../model/activeFrames.js';
 import { isSliding } from '../model/document.js';
 import { memo } from '../model/memo.js';
 import { convertAngle, convertLength, fromKernel } from '../model/units.js';
@@ -29,12 +29,10 @@ export function createJogMotion(page, onProgress) {
   const { store, derived, clock } = page;
   const choices = () => store.state.session.jog;
   const keepsLimits = () => store.state.session.numbers.keepsLimits;
-  const freeChain = memo((/** @type {typeof store.state.doc.robot} */ robot, /** @type {typeof robot.tool} */ tool) =>
-    compileRobot({ ...withoutLimits(robot), tool }),
-  );
+  const freeChain = memo((/** @type {RobotDoc} */ robot) => compileRobot(withoutLimits(robot)));
   const chainNow = () => {
     const { doc } = store.state;
-    return keepsLimits() ? derived.chain(doc) : freeChain(doc.robot, toolInUse(doc));
+    return keepsLimits() ? derived.chain(doc) : freeChain(doc.robot);
   };
 
   /** @type {{ way: Way, sign: 1 | -1, gesture: string, then: number, press: JogPress | null, posture: readonly number[] } | null} */
@@ -77,7 +75,7 @@ export function createJogMotion(page, onProgress) {
     const chain = chainNow();
     if (!now.press) {
       const q = compilePosture(robot, posture);
-      now.press = beginJog(chain, q, jogFramePose(doc, chain, q, choices().frame), way.axis);
+      now.press = beginJog(chain, q, jogFramePose(chain, q, choices().frame), way.axis);
     }
     const before = now.press;
     const amount = sign * amountOf(way, seconds);

@@ -75,11 +75,13 @@ test('each button takes the tool along or about its axis, in each frame, by the 
 });
 
 test('what is held moves by the clock until it is let go, and is one step to undo', async ({ page }) => {
-  await open(page, 'clock=manual');
+  await page.goto('./?quality=low&theme=light&hint=off&clock=manual');
   const ticks = (/** @type {number} */ count) =>
     page.evaluate((n) => {
       for (let i = 0; i < n; i++) window.denavit.clock?.tick(1 / 50);
     }, count);
+  await page.waitForFunction(() => window.denavit?.clock);
+  await expect.poll(async () => (await ticks(3), page.evaluate(() => 'undo' in window.denavit))).toBe(true);
   await button(page, 'Tool').click();
   await expect.poll(async () => (await ticks(1), page.locator('.jog-key').count())).toBe(12);
   await button(page, 'Hold').click();

@@ -21,6 +21,13 @@ const PLACES = [
     ],
   },
   {
+    title: 'While buttons jog the arm',
+    keys: [
+      [[['1'], ['6']], 'The first to the sixth joint or axis, for as long as the key is held; with Shift backwards'],
+      [[['Esc'], ['Space']], 'Stop at once'],
+    ],
+  },
+  {
     title: 'In the view',
     keys: [
       [[['←'], ['→'], ['↑'], ['↓']], 'Go round the arm'],

@@ -1,7 +1,7 @@
 /** The pendant: buttons that move joints and the tool. */
 
 /** @type {Record<import('../../model/jog.js').JogFrame, string>} */
-const FRAME = { world: 'World', base: 'Base', user: 'User', tool: 'Tool' };
+const FRAME = { world: 'World', base: 'Base', tool: 'Tool' };
 
 const AXES = ['X', 'Y', 'Z'];
 
@@ -12,7 +12,6 @@ export const PENDANT = {
   frameNote: {
     world: 'Along and about the axes of the world.',
     base: 'Along and about the axes of the robot’s base.',
-    user: 'Along and about the axes of the user frame.',
     tool: 'Along and about the tool’s own axes.',
   },
   how: 'How the arm moves',

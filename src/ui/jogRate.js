@@ -49,10 +49,13 @@ export function createJogRate({ store, addView }) {
       input.setAttribute('aria-invalid', String(reason !== null));
       reasons.set(input, reason);
     };
+    let shown = NaN;
     const show = () => {
-      input.value = editable(jog()[kind]);
+      shown = jog()[kind];
+      input.value = editable(shown);
       refuse(null);
     };
+    show();
     input.addEventListener('change', () => {
       const { value, reason } = readNumber(input.value);
       if (value === null) return refuse(reason);
@@ -76,7 +79,11 @@ export function createJogRate({ store, addView }) {
       ),
       h('label', { class: 'field' }, input, unit),
     );
-    return { kind, row, buttons, show };
+    /** What is being typed stays, unless another step was chosen. */
+    const follow = () => {
+      if (jog()[kind] !== shown) show();
+    };
+    return { kind, row, buttons, follow };
   });
 
   const slider = h('input', { type: 'range', min: 1, max: 100, step: 1, 'aria-label': PENDANT.speed });
@@ -97,11 +104,11 @@ export function createJogRate({ store, addView }) {
     ([now, joints]) => {
       const isTool = now.mode === 'tool';
       for (const { isByStep, button } of ways) button.setAttribute('aria-pressed', String(isByStep === now.isByStep));
-      for (const { kind, row, buttons, show } of sizes) {
+      for (const { kind, row, buttons, follow } of sizes) {
         const isOfUse = isTool || joints.some((joint) => isSliding(joint) === (kind === 'step'));
         row.hidden = !now.isByStep || !isOfUse;
         for (const { value, button } of buttons) button.setAttribute('aria-pressed', String(value === now[kind]));
-        show();
+        follow();
       }
       speed.hidden = now.isByStep;
       slider.value = String(now.percent);

@@ -9,7 +9,7 @@ import { open } from './page.js';
 const pose = (/** @type {Page} */ page) => page.evaluate(() => window.denavit.pose());
 const joints = (/** @type {Page} */ page) => page.evaluate(() => window.denavit.joints());
 const button = (/** @type {Page} */ page, /** @type {string} */ name) =>
-  page.getByRole('button', { name, exact: true });
+  page.locator('.jog-panel').getByRole('button', { name, exact: true });
 
 /** @param {Page} page */
 async function openPendant(page) {

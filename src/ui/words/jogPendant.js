@@ -1,6 +1,9 @@
-/** The pendant: buttons that move joints and the tool. */
+/**
+ * The pendant: buttons that move joints and the tool.
+ * @import { JogFrame } from '../../model/jog.js'
+ */
 
-/** @type {Record<import('../../model/jog.js').JogFrame, string>} */
+/** @type {Record<JogFrame, string>} */
 const FRAME = { world: 'World', base: 'Base', tool: 'Tool' };
 
 const AXES = ['X', 'Y', 'Z'];

@@ -59,7 +59,7 @@ describe.each(SIX)('%s is jogged', (name) => {
 
   test.each(NAMES.map((what, axis) => [what, axis]))('%s in every frame, and back', (_, axis) => {
     let steps = 0;
-    for (let tries = 0; tries < 2; tries++) {
+    for (let tries = 0; tries < 3; tries++) {
       const q = anyPosture(description, random);
       const T = oracleForward(description, q).tcp;
       for (const frame of Object.values(framesAt(T, random))) {

@@ -101,9 +101,7 @@ export async function bench() {
     browser = await chromium.launch({ executablePath, args: LAUNCH_ARGUMENTS });
   } catch (error) {
     const [reason] = /** @type {Error} */ (error).message.split('\n');
-    console.error(
-      `interaction.mjs is passed over: no browser starts (${reason}).`,
-    );
+    console.error(`interaction.mjs is passed over: no browser starts (${reason}).`);
     return [];
   }
   const outDir = join(ROOT, '.cache', 'bench-page');

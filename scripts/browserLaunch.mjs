@@ -10,6 +10,8 @@ export const LAUNCH_ARGUMENTS = [
   '--force-color-profile=srgb',
   '--font-render-hinting=none',
   '--disable-lcd-text',
+  // Text and boxes are painted by the processor itself: through the software GL that takes several times as long.
+  '--disable-gpu-rasterization',
 ];
 
 /**

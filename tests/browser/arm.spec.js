@@ -236,6 +236,7 @@ test('a limit is taken away by emptying its cell', async ({ page }) => {
   await page.getByLabel('Joint 1, upper limit, degrees').fill('');
   await page.keyboard.press('Enter');
   expect(await page.evaluate(() => window.denavit.model().joints[0].upper)).toBeUndefined();
+  await settled(page); // the row of the joint is made anew for its new limits
   await page.getByLabel('Joint 1, degrees').fill('300');
   await page.keyboard.press('Enter');
   expect((await page.evaluate(() => window.denavit.joints()))[0]).toBe(300);

@@ -13,6 +13,7 @@ export default mergeConfig(
       environment: 'node',
       pool: 'threads',
       maxWorkers: 1,
+      isolate: false, // the modules of all files are loaded once; no test changes what another sees
       testTimeout: timeout,
       hookTimeout: timeout,
       coverage: { provider: 'v8', include: ['src/**/*.js'], exclude: ['src/**/*.d.ts'], reporter: ['text', 'html'] },

@@ -12,8 +12,10 @@ import { icon } from './icons.js';
 import { typesOf } from './jointTypes.js';
 import { giveMenu } from './menus.js';
 import { step } from './page.js';
+import { stepName } from './stepName.js';
 import { TEXT } from './strings.js';
 import { createUnitsMenu } from './unitsMenu.js';
+import { STEPS } from './words/steps.js';
 
 /**
  * @param {Page} page
@@ -65,14 +67,19 @@ export function createBar(page, host, { files, theme, openHelp }) {
       document.title = TEXT.title(robot.name || TEXT.unnamedRobot);
     },
   );
-  addView(
-    ({ past }) => past.length === 0,
-    (nothing) => void (undo.disabled = nothing),
-  );
-  addView(
-    ({ future }) => future.length === 0,
-    (nothing) => void (redo.disabled = nothing),
-  );
+  for (const [button, type] of /** @type {const} */ ([
+    [undo, 'undo'],
+    [redo, 'redo'],
+  ])) {
+    addView(
+      (state) => stepName(state, type),
+      (name) => {
+        button.disabled = name === null;
+        button.title = name === null ? TEXT.bar[type] : STEPS.of[type](name);
+        button.setAttribute('aria-label', button.title);
+      },
+    );
+  }
 }
 
 /** @param {IconName} name @param {string} label */

@@ -21,7 +21,8 @@
  * @property {Opener} opener
  */
 import { refusal } from '../model/refusals.js';
-import { TEXT } from './strings.js';
+import { stepName } from './stepName.js';
+import { STEPS } from './words/steps.js';
 
 /** @type {readonly Tab[]} */
 export const TABS = ['robot', 'program', 'code'];
@@ -43,14 +44,15 @@ export function openPanel({ store }, panel) {
 }
 
 /**
- * One step back or forward, said aloud if there was one.
+ * One step back or forward, said aloud with what it was, if there was one.
  * @param {Page} page
  * @param {'undo' | 'redo'} type
  */
 export function step({ store, announce }, type) {
-  const before = store.state;
+  const name = stepName(store.state, type);
+  if (name === null) return;
   store.dispatch({ type });
-  if (store.state !== before) announce(TEXT.done[type]);
+  announce(STEPS.done[type](name));
 }
 
 /**

@@ -35,7 +35,6 @@ export const TEXT = {
   openWhole: 'Open in Denavit',
   noWebGl:
     'This browser shows no 3-D graphics (WebGL is off or missing), so the arm cannot be drawn. The table, the joints and the poses go on working.',
-  done: { undo: 'Undone.', redo: 'Done again.' },
 
   aim: AIM,
   bar: BAR,

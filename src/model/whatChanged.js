@@ -1,0 +1,103 @@
+/**
+ * What a step to be undone did, told from the documents before and after it: nothing has to be kept for that, and a drag of
+ * a hundred commands is named as the one thing that it comes to. Words are for whoever shows it (ui/stepName.js).
+ *
+ * @import { Convention, Doc, JointDoc, JointField, RobotDoc, Units } from './document.js'
+ * @import { Rate } from './robotCommands.js'
+ *
+ * @typedef {'postures' | 'targets' | 'frames'} ListName
+ * @typedef {'added' | 'removed' | 'renamed' | 'moved' | 'changed'} ListChange
+ *
+ * @typedef {{ what: 'field', joint: number, field: JointField }
+ *   | { what: 'rate', joint: number, rate: Rate }
+ *   | { what: 'type' | 'link' | 'joint' | 'joint-added' | 'joint-removed' | 'joint-moved', joint: number }
+ *   | { what: 'robot' | 'name', name: string }
+ *   | { what: 'units', units: Units }
+ *   | { what: 'convention', convention: Convention }
+ *   | { what: 'base' | 'tool' | 'info' | 'order' | 'table' | 'posture' | 'other' }
+ *   | { what: 'list', list: ListName, change: ListChange, id: string }} Change  `joint` counts from 0
+ */
+import { textOf } from './jointFields.js';
+
+/**
+ * @param {Doc} before
+ * @param {Doc} after  another one
+ * @returns {Change}
+ */
+export function whatChanged(before, after) {
+  if (before.robot !== after.robot) return ofRobot(before.robot, after.robot);
+  if (before.posture !== after.posture) {
+    const moved = differing(before.posture, after.posture);
+    return moved.length === 1 ? { what: 'joint-moved', joint: moved[0] } : { what: 'posture' };
+  }
+  for (const list of /** @type {const} */ (['postures', 'targets', 'frames'])) {
+    if (before[list] !== after[list]) return ofList(list, before[list], after[list]);
+  }
+  return { what: 'other' };
+}
+
+/** @param {RobotDoc} before @param {RobotDoc} after @returns {Change} */
+function ofRobot(before, after) {
+  const { name, units, convention, joints } = after;
+  if (joints !== before.joints && (name !== before.name || after.info !== before.info)) return { what: 'robot', name };
+  if (units.length !== before.units.length || units.angle !== before.units.angle) return { what: 'units', units };
+  if (convention !== before.convention) return { what: 'convention', convention };
+  if (joints !== before.joints) return ofJoints(before.joints, joints);
+  if (after.base !== before.base) return { what: 'base' };
+  if (after.tool !== before.tool) return { what: 'tool' };
+  if (name !== before.name) return { what: 'name', name };
+  return { what: 'info' };
+}
+
+/** @param {readonly JointDoc[]} before @param {readonly JointDoc[]} after @returns {Change} */
+function ofJoints(before, after) {
+  const [old, now] = [before, after].map((joints) => joints.map(({ id }) => id));
+  if (now.length === old.length + 1) return { what: 'joint-added', joint: firstOther(now, old) };
+  if (now.length === old.length - 1) return { what: 'joint-removed', joint: firstOther(old, now) };
+  if (now.length !== old.length) return { what: 'table' };
+  if (now.some((id, i) => id !== old[i])) return { what: 'order' };
+  const changed = differing(before, after);
+  const retyped = changed.filter((i) => before[i].type !== after[i].type);
+  if (retyped.length === 1) return { what: 'type', joint: retyped[0] }; // couplings to it go, too
+  return changed.length === 1 ? ofJoint(changed[0], before[changed[0]], after[changed[0]]) : { what: 'table' };
+}
+
+/** @type {readonly JointField[]} */
+const FIELDS = ['theta', 'd', 'a', 'alpha', 'lower', 'upper', 'home'];
+/** @type {readonly Rate[]} */
+const RATES = ['velocity', 'acceleration', 'jerk', 'effort'];
+
+/** @param {number} joint @param {JointDoc} before @param {JointDoc} after @returns {Change} */
+function ofJoint(joint, before, after) {
+  const fields = FIELDS.filter(
+    (field) => !Object.is(before[field], after[field]) || textOf(before, field) !== textOf(after, field),
+  );
+  const rates = RATES.filter((rate) => before[rate] !== after[rate]);
+  const isLink = before.link !== after.link;
+  if (fields.length + rates.length + Number(isLink) !== 1) return { what: 'joint', joint };
+  if (isLink) return { what: 'link', joint };
+  return fields.length === 1 ? { what: 'field', joint, field: fields[0] } : { what: 'rate', joint, rate: rates[0] };
+}
+
+/** @param {ListName} list @param {readonly { id: string }[]} before @param {readonly { id: string }[]} after @returns {Change} */
+function ofList(list, before, after) {
+  const [old, now] = [before, after].map((items) => items.map(({ id }) => id));
+  /** @param {ListChange} change @param {string} id @returns {Change} */
+  const told = (change, id) => ({ what: 'list', list, change, id });
+  if (now.length > old.length) return told('added', now[firstOther(now, old)]);
+  if (now.length < old.length) return told('removed', old[firstOther(old, now)]);
+  const others = differing(old, now);
+  if (others.length === 1) return told('renamed', now[others[0]]);
+  if (others.length > 1) {
+    const [first, last] = [others[0], others[others.length - 1]];
+    return told('moved', now[last] === old[first] ? now[last] : now[first]);
+  }
+  const changed = differing(before, after);
+  return told('changed', now[changed[0] ?? 0]);
+}
+
+/** Where two lists of one length differ. @param {readonly unknown[]} one @param {readonly unknown[]} other */
+const differing = (one, other) => [...one.keys()].filter((i) => !Object.is(one[i], other[i]));
+
+/** The first place of the longer list that the shorter one has not likewise. @param {readonly unknown[]} longer @param {readonly unknown[]} shorter */
+const firstOther = (longer, shorter) => longer.findIndex((item, i) => item !== shorter[i]);

@@ -1,0 +1,50 @@
+/**
+ * What undo or redo would do, in words: "link length a of joint 2".
+ *
+ * @import { Doc } from '../model/document.js'
+ * @import { AppState } from '../model/session.js'
+ */
+import { whatChanged } from '../model/whatChanged.js';
+import { TEXT } from './strings.js';
+import { STEPS } from './words/steps.js';
+
+/** @typedef {'undo' | 'redo'} Step */
+
+/** @param {AppState} state @param {Step} step @returns {string | null} null: there is nothing to undo or redo */
+export function stepName({ past, doc, future }, step) {
+  const other = step === 'undo' ? past.at(-1) : future[0];
+  if (!other) return null;
+  return step === 'undo' ? changeName(other, doc) : changeName(doc, other);
+}
+
+/** @param {Doc} before @param {Doc} after */
+function changeName(before, after) {
+  const change = whatChanged(before, after);
+  switch (change.what) {
+    case 'field':
+      return STEPS.field(change.field, change.joint + 1);
+    case 'rate':
+      return STEPS.rate(change.rate, change.joint + 1);
+    case 'type':
+    case 'link':
+    case 'joint':
+      return STEPS[change.what](change.joint + 1);
+    case 'joint-added':
+      return STEPS.jointAdded(change.joint + 1);
+    case 'joint-removed':
+      return STEPS.jointRemoved(change.joint + 1);
+    case 'joint-moved':
+      return STEPS.jointMoved(change.joint + 1);
+    case 'robot':
+    case 'name':
+      return STEPS[change.what](change.name || TEXT.unnamedRobot);
+    case 'units':
+      return STEPS.units(change.units.length, change.units.angle);
+    case 'convention':
+      return STEPS.convention[change.convention];
+    case 'list':
+      return STEPS.inList(STEPS.list[change.list], change.id, STEPS.change[change.change]);
+    default:
+      return STEPS[change.what];
+  }
+}

@@ -19,7 +19,8 @@ test('a link length typed into the table changes the arm, its pose and its pictu
   await expect(shownPose(page, 'X')).toHaveText('715.24');
   await expectPicture(page, before, false);
 
-  await page.getByRole('button', { name: 'Undo' }).click();
+  await page.getByRole('button', { name: 'Undo: link length a of joint 2' }).click();
+  await expect(page.getByRole('status').filter({ hasText: 'Undone: link length a of joint 2.' })).toBeAttached();
   expect(await tool(page)).toEqual(place);
   await expect(page.getByLabel(A2)).toHaveValue('431.8');
   await page.mouse.move(0, 0);

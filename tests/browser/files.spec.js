@@ -35,13 +35,13 @@ test('a model is saved, opened on a fresh page, and saved again as the same byte
 
   await open(page, 'robot=planar2r');
   await choose(page, first.name, first.text);
-  await expect(page.getByRole('button', { name: /Puma 560/ })).toBeVisible();
+  await expect(page.getByRole('button', { name: /^Puma 560/ })).toBeVisible();
   expect(await page.evaluate(() => window.denavit.model().joints[1].a)).toBe(440.5);
   expect(await page.evaluate(() => window.denavit.joints())).toEqual([12.5, 30, -150, 7, 33.25, -8]);
   expect(await tool(page)).toEqual(place);
   expect((await save(page)).text).toBe(first.text);
   await page.getByRole('button', { name: 'Undo' }).click();
-  await expect(page.getByRole('button', { name: /Planar 2R/ })).toBeVisible();
+  await expect(page.getByRole('button', { name: /^Planar 2R/ })).toBeVisible();
 });
 
 test('a bad file is refused in a sentence with its line, and the open model stays', async ({ page }) => {

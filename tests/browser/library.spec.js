@@ -8,7 +8,7 @@ test('an arm is found by typing and chosen by keys, and undo brings the other ba
   expect(await page.evaluate(() => window.denavit.model().name)).toBe('UR3'); // fetched for the address
   await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
 
-  await page.getByRole('button', { name: /UR3/ }).focus();
+  await page.getByRole('button', { name: /^UR3/ }).focus();
   await page.keyboard.press('Enter');
   const dialog = page.getByRole('dialog', { name: 'Choose a robot' });
   const search = dialog.getByLabel('Search by name, type or source');
@@ -33,17 +33,17 @@ test('an arm is found by typing and chosen by keys, and undo brings the other ba
   await expect(dialog.getByRole('option', { name: /^UR5/ })).toBeFocused();
   await page.keyboard.press('Enter');
   await expect(dialog).toBeHidden();
-  await expect(page.getByRole('button', { name: /UR5/ })).toBeFocused();
+  await expect(page.getByRole('button', { name: /^UR5/ })).toBeFocused();
   await page.keyboard.press('Control+z');
-  await expect(page.getByRole('button', { name: /UR3/ })).toBeFocused();
+  await expect(page.getByRole('button', { name: /^UR3/ })).toBeFocused();
   await page.keyboard.press('Control+Shift+z');
-  await expect(page.getByRole('button', { name: /UR5/ })).toBeFocused();
+  await expect(page.getByRole('button', { name: /^UR5/ })).toBeFocused();
 
   await page.keyboard.press('Enter');
   await expect(search).toBeFocused();
   await page.keyboard.press('Escape');
   await expect(dialog).toBeHidden();
-  await expect(page.getByRole('button', { name: /UR5/ })).toBeFocused();
+  await expect(page.getByRole('button', { name: /^UR5/ })).toBeFocused();
 });
 
 test.describe('on a phone', () => {
@@ -59,7 +59,7 @@ test.describe('on a phone', () => {
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
     await dialog.getByRole('button', { name: 'New robot with 4 joints' }).tap();
     await expect(dialog).toBeHidden();
-    await expect(page.getByRole('button', { name: /New robot/ })).toBeVisible();
+    await expect(page.getByRole('button', { name: /^New robot/ })).toBeVisible();
     expect(await page.evaluate(() => window.denavit.joints().length)).toBe(4);
     await page.getByRole('button', { name: 'Undo' }).tap();
     expect(await page.evaluate(() => window.denavit.xml())).toBe(before);

@@ -56,7 +56,7 @@ export function excessOf(packed, i, value) {
  */
 export function unwindTowards(packed, q, target) {
   for (let i = 0; i < q.length; i++) {
-    if (isSlide(packed, i)) continue;
+    if (Math.abs(target[i] - q[i]) < Math.PI || isSlide(packed, i)) continue;
     const wanted = Math.round((target[i] - q[i]) / FULL_TURN);
     const most = Math.floor((packed.upper[i] - q[i]) / FULL_TURN);
     const least = Math.ceil((packed.lower[i] - q[i]) / FULL_TURN);

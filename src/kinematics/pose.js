@@ -177,6 +177,22 @@ export function skewness(T) {
 }
 
 /**
+ * The largest element of RᵀR − 1, by size. Written out, since each inverse kinematics asks for it.
+ * @param {ArrayLike<number>} T
+ */
+function offOrthonormal(T) {
+  const [x0, x1, x2, y0, y1, y2, z0, z1, z2] = [T[0], T[1], T[2], T[4], T[5], T[6], T[8], T[9], T[10]];
+  return Math.max(
+    Math.abs(x0 * x0 + x1 * x1 + x2 * x2 - 1),
+    Math.abs(y0 * y0 + y1 * y1 + y2 * y2 - 1),
+    Math.abs(z0 * z0 + z1 * z1 + z2 * z2 - 1),
+    Math.abs(x0 * y0 + x1 * y1 + x2 * y2),
+    Math.abs(x0 * z0 + x1 * z1 + x2 * z2),
+    Math.abs(y0 * z0 + y1 * z1 + y2 * z2),
+  );
+}
+
+/**
  * What keeps sixteen numbers from being a pose, in words that end a sentence beginning "got"; null if nothing does.
  * @param {ArrayLike<number>} T
  * @returns {string | null}
@@ -188,13 +204,8 @@ function faultOf(T) {
   if (T[3] !== 0 || T[7] !== 0 || T[11] !== 0 || T[15] !== 1) {
     return `a bottom row of ${T[3]} ${T[7]} ${T[11]} ${T[15]} (is the matrix row-major?)`;
   }
-  for (let i = 0; i < 3; i++) {
-    for (let j = 0; j <= i; j++) {
-      const product = T[4 * i] * T[4 * j] + T[4 * i + 1] * T[4 * j + 1] + T[4 * i + 2] * T[4 * j + 2];
-      const off = Math.abs(product - (i === j ? 1 : 0));
-      if (off > RIGID_TOLERANCE) return `axes that are ${off.toPrecision(2)} from orthonormal`;
-    }
-  }
+  const off = offOrthonormal(T);
+  if (off > RIGID_TOLERANCE) return `axes that are ${off.toPrecision(2)} from orthonormal`;
   const handedness =
     T[8] * (T[1] * T[6] - T[2] * T[5]) + T[9] * (T[2] * T[4] - T[0] * T[6]) + T[10] * (T[0] * T[5] - T[1] * T[4]);
   return handedness > 0 ? null : 'left-handed axes';

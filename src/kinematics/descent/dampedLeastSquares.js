@@ -21,12 +21,10 @@ import { solveAgain, solveCholesky } from '../cholesky.js';
 import { createStep, writeDifferences, writeWork } from '../differences.js';
 import { DEFAULT_STEP } from '../jacobian.js';
 import { bringInside } from '../limits.js';
-import * as packing from '../packed.js';
 import { poseDifference } from '../pose.js';
+import { writeNormalEquations } from './normalEquations.js';
 import { copy } from './search.js';
 import { shapeJacobian, shapeResidual, taskTurn } from './task.js';
-
-const { MOST_JOINTS } = packing; // the module's own: see frames.js
 
 const STEP = createStep(DEFAULT_STEP.forward);
 
@@ -75,36 +73,13 @@ function measure(search, q) {
  * @param {Search} search
  */
 function linearise(search) {
-  const { packed, work, unit, weight, residual: r, J, H, gradient } = search;
+  const { packed, work, unit, J } = search;
   writeDifferences(packed, work, STEP, J);
   shapeJacobian(search.task, search.spare, J);
-  const n = Math.min(unit.length, MOST_JOINTS);
-  const r0 = r[0] * weight;
-  const r1 = r[1] * weight;
-  const r2 = r[2] * weight;
-  const r3 = r[3];
-  const r4 = r[4];
-  const r5 = r[5];
-  for (let i = 0; i < n; i++) {
-    const a = 6 * i;
-    const row = n * i;
-    if (unit[i] !== 1) for (let k = a; k < a + 6; k++) J[k] *= unit[i];
-    const j0 = J[a];
-    const j1 = J[a + 1];
-    const j2 = J[a + 2];
-    const j3 = J[a + 3];
-    const j4 = J[a + 4];
-    const j5 = J[a + 5];
-    gradient[i] = j0 * r0 + j1 * r1 + j2 * r2 + j3 * r3 + j4 * r4 + j5 * r5;
-    const w0 = j0 * weight;
-    const w1 = j1 * weight;
-    const w2 = j2 * weight;
-    for (let j = 0; j < i; j++) {
-      const b = 6 * j;
-      H[row + j] = w0 * J[b] + w1 * J[b + 1] + w2 * J[b + 2] + j3 * J[b + 3] + j4 * J[b + 4] + j5 * J[b + 5];
-    }
-    H[row + i] = w0 * j0 + w1 * j1 + w2 * j2 + j3 * j3 + j4 * j4 + j5 * j5;
+  for (let i = 0; i < unit.length; i++) {
+    if (unit[i] !== 1) for (let k = 6 * i; k < 6 * i + 6; k++) J[k] *= unit[i];
   }
+  writeNormalEquations(search);
   if (search.isBounded) holdJoints(search);
 }
 
@@ -126,19 +101,24 @@ function holdJoints({ packed: { lower, upper }, q, H, gradient }) {
 }
 
 /**
- * Solve (JᵀJ + damping) step = gradient, let the step follow its bend, and write where it goes into `search.trial`.
+ * Solve (JᵀJ + damping) step = gradient, let the step follow its bend, and write where it goes into `search.trial`. A step
+ * so short that its square is within tolerance arrives without.
  * @param {Search} search
  * @param {number} damping
  * @returns {boolean}
  */
-function writeTrial({ packed, task, isBounded, q, trial, weight, J, H, gradient, step, bend, unit }, damping) {
+function writeTrial(search, damping) {
+  const { packed, task, isBounded, q, trial, weight, J, H, gradient, step, bend, unit } = search;
   if (!solveCholesky(H, gradient, step, damping)) return false;
   if (task === 'pose') {
-    writeBend(J, weight, step, gradient, bend);
-    solveAgain(bend, bend);
-    const square = squareOf(bend);
-    if (square < squareOf(step) && square < MOST_BEND * MOST_BEND) {
-      for (let i = 0; i < q.length; i++) step[i] += bend[i];
+    const straight = squareOf(step);
+    if (straight > search.finest) {
+      writeBend(J, weight, step, gradient, bend);
+      solveAgain(bend, bend);
+      const square = squareOf(bend);
+      if (square < straight && square < MOST_BEND * MOST_BEND) {
+        for (let i = 0; i < q.length; i++) step[i] += bend[i];
+      }
     }
   }
   const { lower, upper } = packed;

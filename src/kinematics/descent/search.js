@@ -16,6 +16,7 @@
  * @property {Pose} goal          seen from the origin of the chain's `start`, as Work is
  * @property {number} positionTolerance
  * @property {number} orientationTolerance
+ * @property {number} finest      the smaller of the two tolerances: radians, arm lengths
  * @property {number} maxIterations
  * @property {boolean} isBounded  whether the limits hold
  * @property {TaskName} task
@@ -56,6 +57,7 @@ const allocateSearch = (packed, dof) => ({
   goal: new Float64Array(16),
   positionTolerance: 0,
   orientationTolerance: 0,
+  finest: 0,
   maxIterations: 0,
   isBounded: true,
   task: 'pose',
@@ -93,6 +95,7 @@ export function prepareSearch({ packed, dof, characteristicLength }, T_base_goal
   for (let k = 12; k < 15; k++) search.goal[k] -= packed.start[k];
   search.positionTolerance = options.positionTolerance;
   search.orientationTolerance = options.orientationTolerance;
+  search.finest = Math.min(options.positionTolerance / characteristicLength, options.orientationTolerance);
   search.maxIterations = options.maxIterations;
   search.isBounded = true;
   search.task = 'pose';

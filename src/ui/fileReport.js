@@ -4,8 +4,8 @@
  * @import { Announce } from './announce.js'
  * @import { Issue } from '../model/issues.js'
  */
-import Modal from 'bootstrap/js/src/modal.js';
 import { copyText } from './clipboard.js';
+import { DISMISSES, closeButton, openDialog } from './dialog.js';
 import { h } from './dom.js';
 import { icon } from './icons.js';
 import { TEXT } from './strings.js';
@@ -23,51 +23,10 @@ const CONTEXT_LINES = 1;
  * @param {Announce} report.announce
  */
 export function showReport({ name, robotName, isOpened, issues, text, again, announce }) {
-  const { activeElement: before } = document;
   const title = isOpened ? TEXT.files.openedWith(name) : TEXT.files.notOpened(name);
-  const close = h(
-    'button',
-    { type: 'button', class: 'btn btn-icon', 'data-bs-dismiss': 'modal', 'aria-label': TEXT.close },
-    icon('close'),
-  );
   const copy = h('button', { type: 'button', class: 'btn' }, icon('copy'), TEXT.files.copyReport);
-  const another = h(
-    'button',
-    { type: 'button', class: 'btn btn-primary', 'data-bs-dismiss': 'modal' },
-    icon('folder'),
-    TEXT.files.another,
-  );
-  const done = h('button', { type: 'button', class: 'btn', 'data-bs-dismiss': 'modal' }, TEXT.close);
-  const dialog = h(
-    'div',
-    { class: 'modal', tabindex: -1, 'aria-labelledby': 'report-title' },
-    h(
-      'div',
-      { class: 'modal-dialog modal-dialog-centered modal-dialog-scrollable' },
-      h(
-        'div',
-        { class: 'modal-content dialog' },
-        h(
-          'div',
-          { class: 'row-flex dialog-head' },
-          icon(isOpened ? 'exclamation' : 'fileX', isOpened ? 'i-l warn' : 'i-l bad'),
-          h(
-            'div',
-            { class: 'grow' },
-            h('h2', { id: 'report-title' }, title),
-            isOpened ? null : h('p', { class: 'soft' }, TEXT.files.stillHere(robotName)),
-          ),
-          close,
-        ),
-        h(
-          'ul',
-          { class: 'issues' },
-          issues.map((issue) => issueItem(issue, text)),
-        ),
-        h('div', { class: 'row-flex' }, copy, h('span', { class: 'grow' }), done, isOpened ? null : another),
-      ),
-    ),
-  );
+  const another = h('button', { ...DISMISSES, class: 'btn btn-primary' }, icon('folder'), TEXT.files.another);
+  const done = h('button', { ...DISMISSES, class: 'btn' }, TEXT.close);
   copy.addEventListener('click', async () => {
     announce(
       (await copyText([title, ...issues.map(({ message }) => message)].join('\n')))
@@ -76,14 +35,30 @@ export function showReport({ name, robotName, isOpened, issues, text, again, ann
     );
   });
   another.addEventListener('click', again);
-  document.body.append(dialog);
-  const modal = new Modal(dialog);
-  dialog.addEventListener('hidden.bs.modal', () => {
-    modal.dispose();
-    dialog.remove();
-    if (before instanceof HTMLElement) before.focus();
+  openDialog({
+    name: 'file-report',
+    title: 'report-title',
+    content: [
+      h(
+        'div',
+        { class: 'row-flex dialog-head' },
+        icon(isOpened ? 'exclamation' : 'fileX', isOpened ? 'i-l warn' : 'i-l bad'),
+        h(
+          'div',
+          { class: 'grow' },
+          h('h2', { id: 'report-title' }, title),
+          isOpened ? null : h('p', { class: 'soft' }, TEXT.files.stillHere(robotName)),
+        ),
+        closeButton(),
+      ),
+      h(
+        'ul',
+        { class: 'issues' },
+        issues.map((issue) => issueItem(issue, text)),
+      ),
+      h('div', { class: 'row-flex' }, copy, h('span', { class: 'grow' }), done, isOpened ? null : another),
+    ],
   });
-  modal.show();
 }
 
 /** @param {Issue} issue @param {string | null} text */

@@ -4,11 +4,9 @@
  *
  * @import { Shortcut } from './shortcuts.js'
  */
-import Modal from 'bootstrap/js/src/modal.js';
 import './css/help.css';
+import { closeButton, openDialog } from './dialog.js';
 import { h } from './dom.js';
-import { icon } from './icons.js';
-import { TEXT } from './strings.js';
 import { HELP } from './words/help.js';
 
 /**
@@ -18,50 +16,35 @@ import { HELP } from './words/help.js';
  */
 export function showHelp({ version, shortcuts }) {
   if (document.querySelector('.help')) return;
-  const { activeElement: before } = document;
-  const close = { 'data-bs-dismiss': 'modal', type: 'button' };
-  const dialog = h(
-    'div',
-    { class: 'modal help', tabindex: -1, 'aria-labelledby': 'help-title' },
-    h(
-      'div',
-      { class: 'modal-dialog modal-dialog-scrollable modal-fullscreen-sm-down' },
+  openDialog({
+    name: 'help',
+    title: 'help-title',
+    fit: 'modal-fullscreen-sm-down',
+    content: [
       h(
         'div',
-        { class: 'modal-content dialog' },
-        h(
-          'div',
-          { class: 'row-flex dialog-head' },
-          h('h2', { class: 'grow', id: 'help-title' }, HELP.title),
-          h('button', { ...close, class: 'btn btn-icon', 'aria-label': TEXT.close }, icon('close')),
-        ),
-        h(
-          'div',
-          { class: 'help-text', tabindex: 0, role: 'region', 'aria-label': HELP.title },
-          h('h3', {}, HELP.keysTitle),
-          keyList(inRows(shortcuts)),
-          HELP.places.map(({ title, keys }) => [h('h4', {}, title), keyList(keys)]).flat(),
-          HELP.sections.flatMap(({ title, points }) => [
-            h('h3', {}, title),
-            h(
-              'ul',
-              {},
-              points.map((point) => h('li', {}, point)),
-            ),
-          ]),
-          h('p', { class: 'soft' }, HELP.version(version)),
-        ),
+        { class: 'row-flex dialog-head' },
+        h('h2', { class: 'grow', id: 'help-title' }, HELP.title),
+        closeButton(),
       ),
-    ),
-  );
-  document.body.append(dialog);
-  const modal = new Modal(dialog);
-  dialog.addEventListener('hidden.bs.modal', () => {
-    modal.dispose();
-    dialog.remove();
-    if (before instanceof HTMLElement) before.focus();
+      h(
+        'div',
+        { class: 'help-text', tabindex: 0, role: 'region', 'aria-label': HELP.title },
+        h('h3', {}, HELP.keysTitle),
+        keyList(inRows(shortcuts)),
+        HELP.places.map(({ title, keys }) => [h('h4', {}, title), keyList(keys)]).flat(),
+        HELP.sections.flatMap(({ title, points }) => [
+          h('h3', {}, title),
+          h(
+            'ul',
+            {},
+            points.map((point) => h('li', {}, point)),
+          ),
+        ]),
+        h('p', { class: 'soft' }, HELP.version(version)),
+      ),
+    ],
   });
-  modal.show();
 }
 
 /** One row for what can be done, with every way to press it. @param {readonly Shortcut[]} all @returns {[string[][], string][]} */

@@ -7,12 +7,12 @@
  * @import { Convention, DhField, Units } from '../model/document.js'
  * @import { Plan } from './pasteTablePlan.js'
  */
-import Modal from 'bootstrap/js/src/modal.js';
 import { readTableText } from '../io/tableText.js';
 import { guessColumns } from '../io/tableTextColumns.js';
 import { DH_FIELDS } from '../model/document.js';
 import { ANGLE_UNITS, CONVENTIONS, LENGTH_UNITS } from '../model/documentRules.js';
 import './css/pasteTable.css';
+import { DISMISSES, closeButton, openDialog } from './dialog.js';
 import { fill, h } from './dom.js';
 import { compact, plain } from './format.js';
 import { icon } from './icons.js';
@@ -34,7 +34,6 @@ export function openPasteTable(page, pasted, cell) {
   if (document.querySelector('.paste-table')) return;
   const { store, announce } = page;
   const { robot } = store.state.doc;
-  const { activeElement: before } = document;
   const start = DH_FIELDS.findIndex((field) => field === cell?.field);
   /** @type {{ roles: ColumnRole[], rows: readonly (readonly string[])[], plan: Plan | null }} */
   const now = { roles: [], rows: [], plan: null };
@@ -53,25 +52,8 @@ export function openPasteTable(page, pasted, cell) {
   const table = h('table', { class: 'paste-preview', 'aria-label': PASTE.preview });
   const outcome = h('div', { class: 'paste-outcome', role: 'status' });
   const apply = h('button', { type: 'button', class: 'btn btn-primary' }, PASTE.apply);
-  const cancel = h('button', { type: 'button', class: 'btn btn-outline', 'data-bs-dismiss': 'modal' }, PASTE.cancel);
-  const dialog = dialogOf(
-    [
-      h('label', { for: text.id, class: 'sm soft' }, PASTE.hint),
-      text,
-      summary,
-      h(
-        'div',
-        { class: 'paste-options' },
-        [scope, length, angle, convention].map(({ element }) => element),
-      ),
-      h('div', { class: 'paste-scroll' }, table),
-      outcome,
-    ],
-    [cancel, apply],
-  );
+  const cancel = h('button', { ...DISMISSES, class: 'btn btn-outline' }, PASTE.cancel);
   text.setAttribute('aria-label', PASTE.text);
-  document.body.append(dialog);
-  const modal = new Modal(dialog);
 
   /** The text is another: everything is guessed anew. */
   function read() {
@@ -173,16 +155,33 @@ export function openPasteTable(page, pasted, cell) {
       return;
     }
     announce(PASTE.done(changes));
-    modal.hide();
-  });
-  dialog.addEventListener('shown.bs.modal', () => (now.plan && !apply.disabled ? apply : text).focus());
-  dialog.addEventListener('hidden.bs.modal', () => {
-    modal.dispose();
-    dialog.remove();
-    if (before instanceof HTMLElement && before.isConnected) before.focus();
+    dialog.hide();
   });
   read();
-  modal.show();
+  const dialog = openDialog({
+    name: 'paste-table',
+    title: 'paste-title',
+    fit: 'modal-dialog-centered modal-fullscreen-sm-down',
+    content: [
+      h('div', { class: 'row-flex paste-head' }, h('h2', { id: 'paste-title' }, PASTE.title), closeButton()),
+      h(
+        'div',
+        { class: 'paste-body' },
+        h('label', { for: text.id, class: 'sm soft' }, PASTE.hint),
+        text,
+        summary,
+        h(
+          'div',
+          { class: 'paste-options' },
+          [scope, length, angle, convention].map(({ element }) => element),
+        ),
+        h('div', { class: 'paste-scroll' }, table),
+        outcome,
+      ),
+      h('div', { class: 'row-flex paste-foot' }, cancel, apply),
+    ],
+    onShown: () => (now.plan && !apply.disabled ? apply : text).focus(),
+  });
 }
 
 /** @param {Plan} plan @param {readonly (readonly string[])[]} rows @param {readonly ColumnRole[]} roles */
@@ -232,28 +231,4 @@ function select(label, values, value, names = {}) {
   );
   control.value = value;
   return { control, element: h('label', { class: 'paste-option sm' }, h('span', { class: 'soft' }, label), control) };
-}
-
-/** @param {HTMLElement[]} content @param {HTMLElement[]} foot */
-function dialogOf(content, foot) {
-  const close = h(
-    'button',
-    { type: 'button', class: 'btn btn-icon', 'data-bs-dismiss': 'modal', 'aria-label': TEXT.close },
-    icon('close'),
-  );
-  return h(
-    'div',
-    { class: 'modal paste-table', tabindex: -1, 'aria-labelledby': 'paste-title' },
-    h(
-      'div',
-      { class: 'modal-dialog modal-dialog-centered modal-dialog-scrollable modal-fullscreen-sm-down' },
-      h(
-        'div',
-        { class: 'modal-content dialog' },
-        h('div', { class: 'row-flex paste-head' }, h('h2', { id: 'paste-title' }, PASTE.title), close),
-        h('div', { class: 'paste-body' }, content),
-        h('div', { class: 'row-flex paste-foot' }, foot),
-      ),
-    ),
-  );
 }

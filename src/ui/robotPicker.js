@@ -8,16 +8,15 @@
  *
  * @typedef {{ element: HTMLElement, words: string, robot: RobotDoc }} Option
  */
-import Modal from 'bootstrap/js/src/modal.js';
 import { MAX_JOINTS, MIN_JOINTS } from '../model/document.js';
 import { LIBRARY, LIBRARY_FAMILIES } from '../model/library.js';
 import { newDocument } from '../model/newDocument.js';
 import { newRobot } from '../model/newRobot.js';
 import { sketchRobot } from '../model/robotSketch.js';
 import './css/robotPicker.css';
+import { closeButton, openDialog } from './dialog.js';
 import { h } from './dom.js';
 import { fixed } from './format.js';
-import { icon } from './icons.js';
 import { typesOf } from './jointTypes.js';
 import { robotPicture } from './robotPicture.js';
 import { TEXT } from './strings.js';
@@ -25,7 +24,6 @@ import { TEXT } from './strings.js';
 /** @param {Page} page */
 export function openRobotPicker({ store, opener, announce }) {
   if (document.querySelector('.robot-picker')) return;
-  const { activeElement: before } = document;
   const { name: openName } = store.state.doc.robot;
   const families = LIBRARY_FAMILIES.map(([family, ids]) => familyOf(family, ids, openName));
   const options = families.flatMap((family) => family.options);
@@ -45,13 +43,10 @@ export function openRobotPicker({ store, opener, announce }) {
     { id: 'robot-list', role: 'listbox', 'aria-label': TEXT.library.list, class: 'picker-list' },
     families.map(({ group }) => group),
   );
-  const dialog = picker(h('div', { class: 'field picker-search' }, search, count), [list, none], newRobotButtons(open));
-  document.body.append(dialog);
-  const modal = new Modal(dialog);
 
   /** @param {RobotDoc} robot */
   function open(robot) {
-    modal.hide();
+    dialog.hide();
     opener.open(newDocument(robot));
     announce(TEXT.library.chosen(robot.name));
   }
@@ -100,20 +95,31 @@ export function openRobotPicker({ store, opener, announce }) {
     const chosen = options.find(({ element }) => target instanceof Node && element.contains(target));
     if (chosen) open(chosen.robot);
   });
-  dialog.addEventListener('shown.bs.modal', () => {
-    const here = options.find(isOpen);
-    here?.element.scrollIntoView({ block: 'center' });
-    // Under a finger the search field would bring its keyboard over the arms.
-    if (matchMedia('(pointer: coarse)').matches) (here ?? options[0]).element.focus({ preventScroll: true });
-    else search.focus();
-  });
-  dialog.addEventListener('hidden.bs.modal', () => {
-    modal.dispose();
-    dialog.remove();
-    if (before instanceof HTMLElement) before.focus();
-  });
   filter();
-  modal.show();
+  const dialog = openDialog({
+    name: 'robot-picker',
+    title: 'picker-title',
+    fit: 'modal-dialog-centered modal-fullscreen-sm-down',
+    content: [
+      h(
+        'div',
+        { class: 'row-flex picker-head' },
+        h('h2', { id: 'picker-title' }, TEXT.library.title),
+        h('div', { class: 'field picker-search' }, search, count),
+        closeButton(),
+      ),
+      list,
+      none,
+      newRobotButtons(open),
+    ],
+    onShown() {
+      const here = options.find(isOpen);
+      here?.element.scrollIntoView({ block: 'center' });
+      // Under a finger the search field would bring its keyboard over the arms.
+      if (matchMedia('(pointer: coarse)').matches) (here ?? options[0]).element.focus({ preventScroll: true });
+      else search.focus();
+    },
+  });
 }
 
 /** @param {Option} option */
@@ -186,31 +192,6 @@ function newRobotButtons(open) {
       { class: 'row-flex', role: 'group', 'aria-label': TEXT.library.freshTitle },
       h('span', { class: 'soft sm', 'aria-hidden': 'true' }, TEXT.library.joints),
       buttons,
-    ),
-  );
-}
-
-/** @param {HTMLElement} search @param {HTMLElement[]} content @param {HTMLElement} foot */
-function picker(search, content, foot) {
-  const close = h(
-    'button',
-    { type: 'button', class: 'btn btn-icon', 'data-bs-dismiss': 'modal', 'aria-label': TEXT.close },
-    icon('close'),
-  );
-  const head = h(
-    'div',
-    { class: 'row-flex picker-head' },
-    h('h2', { id: 'picker-title' }, TEXT.library.title),
-    search,
-    close,
-  );
-  return h(
-    'div',
-    { class: 'modal robot-picker', tabindex: -1, 'aria-labelledby': 'picker-title' },
-    h(
-      'div',
-      { class: 'modal-dialog modal-dialog-centered modal-dialog-scrollable modal-fullscreen-sm-down' },
-      h('div', { class: 'modal-content dialog' }, head, content, foot),
     ),
   );
 }

@@ -15,6 +15,7 @@ import { createGoToMenu } from './goToMenu.js';
 import { icon } from './icons.js';
 import { createJogModes } from './jogModes.js';
 import { createJogRow, limitsInWords } from './jogRow.js';
+import { createReasons } from './reasons.js';
 import { TEXT } from './strings.js';
 
 /**
@@ -33,7 +34,8 @@ export function createJogPanel(page, host) {
   const keep = h('input', { type: 'checkbox', role: 'switch', checked: true });
   const keepRow = h('label', { class: 'switch' }, keep, TEXT.jog.keep);
   const modes = createJogModes(page, list);
-  const reasonLine = h('p', { class: 'reason sm', id: 'jog-reason', role: 'note' });
+  const reasons = createReasons('jog-refused');
+  const remarkLine = h('p', { class: 'reason sm', role: 'note', hidden: true });
   fill(
     host,
     h(
@@ -49,7 +51,7 @@ export function createJogPanel(page, host) {
     list,
     modes.pendant,
     h('div', { class: 'jog-switches' }, keepRow, modes.buttonsRow),
-    reasonLine,
+    h('div', { id: 'jog-reason' }, reasons.element, remarkLine),
   );
 
   const numbers = () => store.state.session.numbers;
@@ -71,7 +73,7 @@ export function createJogPanel(page, host) {
       return TEXT.jog.notZero(`J${i + 1}`, limitsInWords(robot.joints[i], robot.units), value);
     });
     remark = notThere.length ? { of: store.state.doc.posture, text: notThere.join(' ') } : null;
-    sayReasons();
+    sayRemarks();
     announce(remark?.text ?? TEXT.jog.atZero);
   });
   $(keep).on('change', () => {
@@ -80,30 +82,17 @@ export function createJogPanel(page, host) {
     announce(keepsLimits ? TEXT.jog.keepsNow : TEXT.jog.keepsNot);
   });
 
-  /** @type {Map<HTMLInputElement, string>} texts that were refused and still stand */
-  const refused = new Map();
-
-  /** @param {HTMLInputElement} field @param {string | null} reason */
-  function onReason(field, reason) {
-    field.parentElement?.classList.toggle('is-invalid', reason !== null);
-    if (reason === null) refused.delete(field);
-    else refused.set(field, reason);
-    sayReasons();
-  }
-
   let said = '';
-  reasonLine.hidden = true;
-  function sayReasons() {
+  function sayRemarks() {
     const { robot, posture } = store.state.doc;
-    for (const field of refused.keys()) if (!field.isConnected) refused.delete(field);
     if (remark?.of !== posture) remark = null;
     const outside = robot.joints.flatMap((joint, i) =>
       isInside(joint, posture[i]) ? [] : [TEXT.jog.outside(`J${i + 1}`, limitsInWords(joint, robot.units))],
     );
-    const text = [...refused.values(), ...(remark ? [remark.text] : []), ...outside].join(' ');
+    const text = [...(remark ? [remark.text] : []), ...outside].join(' ');
     if (text === said) return;
-    said = reasonLine.textContent = text;
-    reasonLine.hidden = text === '';
+    said = remarkLine.textContent = text;
+    remarkLine.hidden = text === '';
   }
 
   /** @type {readonly JogRow[]} */
@@ -127,7 +116,7 @@ export function createJogPanel(page, host) {
         const wanted = JSON.stringify([robot.name, robot.units, limits]);
         if (wanted !== shape || now !== edition) rows.forEach((row) => row.forget());
         if (wanted !== shape) {
-          rows = robot.joints.map((_, i) => createJogRow(page, robot, i, { reasonId: reasonLine.id, onReason }));
+          rows = robot.joints.map((_, i) => createJogRow(page, robot, i, reasons.set));
           fill(
             list,
             rows.map(({ row }) => row),
@@ -140,7 +129,7 @@ export function createJogPanel(page, host) {
       }
       if (keep.checked !== keepsLimits) keep.checked = keepsLimits;
       rows.forEach((row, i) => row.draw(posture[i], i === heldJoint, keepsLimits));
-      sayReasons();
+      sayRemarks();
     },
   );
 }

@@ -4,9 +4,10 @@
  *
  * @import { Page } from './page.js'
  * @import { JointDoc, RobotDoc, Units } from '../model/document.js'
+ * @import { Reasons } from './reasons.js'
  * @import { Range } from '../model/jogRange.js'
  */
-import { homePosture, limitsOf } from '../model/document.js';
+import { homePosture, limitsOf, quantityOf } from '../model/document.js';
 import { grown, inside, isInside, jogRange } from '../model/jogRange.js';
 import { editCell } from './cellEditor.js';
 import { h } from './dom.js';
@@ -28,11 +29,9 @@ export function limitsInWords(joint, units) {
  * @param {Page} page
  * @param {RobotDoc} robot
  * @param {number} index
- * @param {object} given
- * @param {string} given.reasonId  of the element that says why a number was refused
- * @param {(input: HTMLInputElement, reason: string | null) => void} given.onReason
+ * @param {Reasons['set']} onReason
  */
-export function createJogRow(page, robot, index, { reasonId, onReason }) {
+export function createJogRow(page, robot, index, onReason) {
   const { store } = page;
   const { joints, units } = robot;
   const joint = joints[index];
@@ -92,15 +91,12 @@ export function createJogRow(page, robot, index, { reasonId, onReason }) {
   }
 
   const cell = editCell(page, field, {
+    measure: () => ({ quantity: quantityOf(joint, 'home'), units }),
     command: (/** @type {number} */ value) => ({ type: 'set-joint-value', joint: index, value }),
     check: (value) =>
       isInside(joint, value) || !keepsLimits() ? null : TEXT.jog.stops(`J${index + 1}`, limitsInWords(joint, units)),
     onDone: (/** @type {number} */ value) => `J${index + 1}: ${withUnit(jointNumber(value, unit), unit)}`,
-    onReason(reason) {
-      if (reason) field.setAttribute('aria-describedby', reasonId);
-      else field.removeAttribute('aria-describedby');
-      onReason(field, reason);
-    },
+    onReason: (reason, refused) => onReason(field, reason, refused, (way) => cell.settle(way)),
     text: () => editable(now()),
     resting: () => jointNumber(now(), unit),
   });

@@ -118,6 +118,14 @@ test('a joint is moved by keys alone, and a value beyond its stop is refused in 
   expect((await page.evaluate(() => window.denavit.joints()))[1]).toBe(45);
   await page.keyboard.press('Escape');
   await expect(field).toHaveValue('45');
+
+  await field.fill('pi/3');
+  await page.keyboard.press('Enter');
+  await expect(page.locator('#jog-reason')).toContainText('pi/3 among degrees: which is meant?');
+  expect((await page.evaluate(() => window.denavit.joints()))[1]).toBe(45);
+  await page.getByRole('button', { name: 'π/3 rad = 60°' }).click();
+  await expect(field).toHaveValue('60');
+  await expect(page.getByRole('button', { name: 'Undo: joint 2 moved' })).toBeEnabled();
 });
 
 test('home brings the arm home', async ({ page }) => {

@@ -48,6 +48,7 @@ import { createScripting } from './ui/scripting.js';
 import { createShell, runPanels } from './ui/shell.js';
 import { SHORTCUTS, createShortcuts } from './ui/shortcuts.js';
 import { createTheme } from './ui/theme.js';
+import { createTouchKeys } from './ui/touchKeys.js';
 import { createViewPanel } from './ui/viewPanel.js';
 
 const { values: parameters, refused } = readQueryParameters(location.search, SCHEMA);
@@ -127,6 +128,7 @@ function stand(robot, isOther = false) {
   const pose = createPosePanel(page, shell.pose);
   createAimPanel(page, shell.aim);
   createShortcuts(page, { files, openHelp });
+  createTouchKeys(page, shell.app);
   const calm = matchMedia('(prefers-reduced-motion: reduce)');
   const isCalm = () => calm.matches;
   const wide = matchMedia('(min-width: 700px)');

@@ -59,6 +59,8 @@ export function createStage({ host, clock, quality, text, isCalm = () => false, 
   let isFitted = false;
   /** Where the view was before it went near something. @type {(Viewpoint & { free: Rectangle | null }) | null} */
   let left = null;
+  /** The joint that it went near to. @type {number | null} */
+  let near = null;
 
   const labels = createLabels(host);
   const invalidate = createFrameLoop(clock, draw);
@@ -95,7 +97,7 @@ export function createStage({ host, clock, quality, text, isCalm = () => false, 
   /** @param {number} width @param {number} height */
   function onResize(width, height) {
     view.resize(width, height);
-    if (view.isUntouched) fit();
+    if (view.isUntouched && !(left && goNear(near, false))) fit();
     // Resizing empties the canvas: drawn a frame later it would flash, so a picture that was there is drawn at once.
     if (surface && surface.draws > 0) draw();
     else invalidate();
@@ -123,15 +125,22 @@ export function createStage({ host, clock, quality, text, isCalm = () => false, 
    * @param {number | null} joint
    */
   function closeIn(joint) {
-    const extent = joint === null ? null : scene.extentOfRow(joint);
     if (!surface?.width) return;
-    if (extent) {
-      left ??= { ...view.viewpoint(), free: view.free };
-      view.fit(extent.corners, extent.size, { free: freePart(), from: null, flies: true, fill: 'part' });
+    near = joint;
+    const before = left ?? { ...view.viewpoint(), free: view.free };
+    if (goNear(joint, true)) {
+      left = before;
       return;
     }
     if (left && view.isUntouched) view.returnTo(left);
     left = null;
+  }
+
+  /** @param {number | null} joint @param {boolean} flies @returns {boolean} whether there is anything to go near */
+  function goNear(joint, flies) {
+    const extent = joint === null ? null : scene.extentOfRow(joint);
+    if (extent) view.fit(extent.corners, extent.size, { free: freePart(), from: null, flies, fill: 'part' });
+    return extent !== null;
   }
 
   return {

@@ -4,7 +4,8 @@
  * was before. Leaving the field or Enter makes it one undo step; Escape makes it as if it had never begun.
  *
  * While a text is being typed the field carries `data-editing`, and Ctrl+Z is the browser's own. While a text waits for what
- * reads expressions it carries `aria-busy`; the event `settled` says that the wait is over.
+ * reads expressions it carries `aria-busy`; the event `settled` says that the wait is over. One that takes expressions
+ * carries `data-takes`: `length` or `angle`.
  *
  * @import { Page } from './page.js'
  * @import { Answer, Measure, Refused } from './numberText.js'
@@ -34,6 +35,7 @@ import { readTyped } from './typedNumber.js';
 export function editCell(page, input, { command, check, onDone, onReason, text, resting, ...behaviour }) {
   const read = behaviour.read ?? /** @type {NonNullable<typeof behaviour.read>} */ (reader(behaviour.measure));
   const { store, announce } = page;
+  if (behaviour.measure) input.dataset.takes = behaviour.measure().quantity;
   /** @type {string | null} of the change that the typing has made so far */
   let gesture = null;
   let begun = '';

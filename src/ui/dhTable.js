@@ -104,6 +104,7 @@ export function createDhTable(page, host) {
       return { quantity: quantityOf(robot.joints[row], field), units: robot.units };
     };
     const cell = editCell(page, input, {
+      measure,
       read: (text) => (isLimit ? readTypedLimit : readTyped)(text, measure()),
       command: (/** @type {number | undefined} */ value, text) => ({
         ...{ type: 'set-joint-field', joint: row, field, value },

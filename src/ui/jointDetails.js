@@ -121,6 +121,7 @@ function limitField(page, index, field, onReason) {
     title: isEndless ? DETAILS.endless : null,
   });
   const editor = editCell(page, input, {
+    measure,
     read: (typed) => (field === 'home' ? readTyped : readTypedLimit)(typed, measure()),
     command: (/** @type {number | undefined} */ value) => ({ type: 'set-joint-field', joint: index, field, value }),
     onDone: () => DETAILS.set(DETAILS[field], text() || DETAILS.none),
@@ -155,6 +156,7 @@ function rateField(page, index, rate, onReason) {
     placeholder: DETAILS.none,
   });
   const editor = editCell(page, input, {
+    measure,
     read: (typed) => readTypedLimit(typed, measure()),
     command: (/** @type {number | undefined} */ value) => ({ type: 'set-joint-rate', joint: index, rate, value }),
     onDone: () => DETAILS.set(DETAILS[rate], text() || DETAILS.none),

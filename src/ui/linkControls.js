@@ -56,8 +56,10 @@ export function createLinkControls(page, index, scene, onReason) {
       'aria-label': DETAILS.field(index + 1, `${DETAILS.link}, ${DETAILS[size]}`, TEXT.table.unitName[unit]),
     });
     const text = () => (link()[size] === undefined ? '' : plain(Number(link()[size])));
+    const measure = () => ({ quantity: /** @type {const} */ ('length'), units: store.state.doc.robot.units });
     const editor = editCell(page, input, {
-      read: (typed) => readTypedLimit(typed, { quantity: 'length', units: store.state.doc.robot.units }),
+      measure,
+      read: (typed) => readTypedLimit(typed, measure()),
       command: (/** @type {number | undefined} */ value) => command(withSize(size, value)),
       onDone: () => DETAILS.set(DETAILS[size], text() || DETAILS.automatic),
       onReason: (reason, refused) => onReason(input, reason, refused, (way) => editor.settle(way)),

@@ -124,6 +124,15 @@ function stand(robot, isOther = false) {
       return (host) => createCodePanel(page, host, { version, today });
     },
   );
+  lazyPanel(
+    page,
+    shell.tabs.jacobian,
+    ({ tab }) => tab === 'jacobian',
+    async () => {
+      const { createJacobianPanel } = await import('./ui/jacobianPanel.js');
+      return (host) => createJacobianPanel(page, host);
+    },
+  );
   createJogPanel(page, shell.jog);
   const pose = createPosePanel(page, shell.pose);
   createAimPanel(page, shell.aim);

@@ -8,10 +8,11 @@
  * @import { AimAnswer } from './aim.js'
  * @import { Hindrance } from './follow.js'
  * @import { Handle } from './handleAxes.js'
+ * @import { JacobianView } from './jacobianView.js'
  * @import { JogChoices } from './jogChoices.js'
  * @import { NumbersView } from './numbersView.js'
  *
- * @typedef {'robot' | 'program' | 'code'} Tab
+ * @typedef {'robot' | 'program' | 'code' | 'jacobian'} Tab
  * @typedef {Tab | 'jog' | 'aim'} Panel
  *
  * @typedef {'none' | 'ends' | 'row' | 'all'} FramesShown  ends: base and tool; row: the two of the selected row
@@ -41,6 +42,7 @@
  * @property {ToolDrag | null} drag  of the tool, under way
  * @property {number | null} pointedLink  the joint that moves the link under the pointer
  * @property {JogChoices} jog  how the arm is jogged
+ * @property {JacobianView} jacobian  which one is shown, and how
  * @property {NumbersView} numbers  how they are shown and copied
  * @property {number} edition   counts how often the document was exchanged for another (opened, undone), not edited
  *
@@ -54,6 +56,7 @@
  */
 import { applyCommand } from './commands.js';
 import { deepFreeze } from './freeze.js';
+import { FIRST_JACOBIAN } from './jacobianView.js';
 import { FIRST_JOG } from './jogChoices.js';
 import { refusal } from './refusals.js';
 import { FIRST_HANDLE } from './handleAxes.js';
@@ -79,6 +82,7 @@ const FRESH = {
   drag: null,
   pointedLink: null,
   jog: FIRST_JOG,
+  jacobian: FIRST_JACOBIAN,
   numbers: FIRST_NUMBERS,
   edition: 0,
 };
@@ -130,10 +134,10 @@ function settle(state, history, next) {
   if (robot === old) return { ...next, session };
   const isOther = robot.name !== old.name && robot.joints !== old.joints; // a new name alone makes no other robot
   const sameShape = robot.joints.length === old.joints.length && robot.units === old.units && !isOther;
-  const { panel, tab, edition, frames, projection, handle, jog } = session;
+  const { panel, tab, edition, frames, projection, handle, jog, jacobian } = session;
   const openJoint = session.openJoint === null ? null : Math.min(session.openJoint, robot.joints.length - 1);
   const numbers = fitNumbers(session.numbers, robot);
-  const kept = { panel, tab, edition, frames, projection, handle, jog, openJoint, numbers };
+  const kept = { panel, tab, edition, frames, projection, handle, jog, jacobian, openJoint, numbers };
   return { ...next, session: sameShape ? { ...session, answer: null, ghost: null } : { ...FRESH, ...kept } };
 }
 

@@ -148,6 +148,12 @@ export function createRobotView({ store, addView, derived, clock }, options) {
       ),
   );
 
+  const withEllipsoid = whenWanted(async () => (await import('./ellipsoidMark.js')).createEllipsoidMark);
+  addView(
+    ({ session }) => session.tab === 'jacobian' && session.jacobian.ellipsoid,
+    (kind) => withEllipsoid(kind !== false && kind !== null, (mark) => mark.want(kind || null)),
+  );
+
   const withBuild = whenWanted(async () => (await import('./buildMarks.js')).createBuildMarks);
   addView(
     ({ session }) => session.build,

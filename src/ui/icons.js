@@ -66,6 +66,9 @@ const DRAWINGS = {
   prismatic: own(
     '<path d="M3.2 5h9.6v6H3.2z" fill="none" stroke="currentColor" stroke-width="1.4"/><path d="M.2 8 2.6 6v4zM15.8 8l-2.4-2v4z"/>',
   ),
+  matrix: own(
+    '<g fill="none" stroke="currentColor" stroke-width="1.4"><path d="M4.5 1.5h-3v13h3M11.5 1.5h3v13h-3"/></g><g><circle cx="6" cy="5" r="1.2"/><circle cx="10" cy="5" r="1.2"/><circle cx="6" cy="11" r="1.2"/><circle cx="10" cy="11" r="1.2"/></g>',
+  ),
   caret: own('<path d="M1.5 3.5 5 7l3.5-3.5" fill="none" stroke="currentColor" stroke-width="1.6"/>', '0 0 10 10'),
   // The two joint axes and their common normal: the figure every DH table starts from.
   brand: own(

@@ -25,10 +25,10 @@ import { stepName } from './stepName.js';
 import { STEPS } from './words/steps.js';
 
 /** @type {readonly Tab[]} */
-export const TABS = ['robot', 'program', 'code'];
+export const TABS = ['robot', 'program', 'code', 'jacobian'];
 
 /** @type {readonly Panel[]} in the order of the dock under the thumb */
-export const PANELS = ['robot', 'jog', 'aim', 'program', 'code'];
+export const PANELS = ['robot', 'jog', 'aim', 'program', 'code', 'jacobian'];
 
 /**
  * Open a panel: on the left where it has a place there, and in the sheet of a phone.

@@ -16,7 +16,14 @@ import { createSkipLinks } from './skipLinks.js';
 import { TEXT } from './strings.js';
 
 /** @type {Record<Panel, IconName>} */
-const PANEL_ICON = { robot: 'table', jog: 'sliders', aim: 'target', program: 'list', code: 'codeSlash' };
+const PANEL_ICON = {
+  robot: 'table',
+  jog: 'sliders',
+  aim: 'target',
+  program: 'list',
+  code: 'codeSlash',
+  jacobian: 'matrix',
+};
 
 /**
  * Empty rooms, before anything is known.
@@ -28,7 +35,12 @@ export function createShell(asked = null) {
     bar: h('header', { class: 'topbar', hidden: !has('bar') }),
     tablist: h('div', { class: 'tabs', role: 'tablist', 'aria-label': TEXT.panels.left }),
     /** @type {Record<Tab, HTMLElement>} */
-    tabs: { robot: tabPanel('robot'), program: tabPanel('program'), code: tabPanel('code') },
+    tabs: {
+      robot: tabPanel('robot'),
+      program: tabPanel('program'),
+      code: tabPanel('code'),
+      jacobian: tabPanel('jacobian'),
+    },
     view: h('main', { class: 'view', 'aria-label': TEXT.panels.view }),
     jog: h('section', { class: 'sec jog-panel', 'data-room': 'jog', hidden: !has('jog') }),
     pose: h('section', { class: 'sec pose-panel', 'data-room': 'pose', hidden: !has('pose') }),

@@ -54,6 +54,7 @@ test.describe('on a phone', () => {
       ['Aim', 'aim'],
       ['Program', 'program'],
       ['Code', 'code'],
+      ['Jacobian', 'jacobian'],
     ]) {
       // prettier-ignore
       await page.getByRole('navigation', { name: 'Panels' }).getByRole('button', { name }).tap();

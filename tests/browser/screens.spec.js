@@ -82,6 +82,7 @@ for (const [width, height] of [
       ['Aim', 'aim'],
       ['Program', 'program'],
       ['Code', 'code'],
+      ['Jacobian', 'jacobian'],
     ]) {
       await dock.getByRole('button', { name }).click();
       const panel = page.locator(`[data-room=${room}]`);

@@ -7,6 +7,7 @@ export const PANELS = {
   aim: 'Aim',
   program: 'Program',
   code: 'Code',
+  jacobian: 'Jacobian',
   left: 'Robot and program',
   right: 'Joints and poses',
   view: '3-D view of the arm',

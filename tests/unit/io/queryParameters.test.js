@@ -76,7 +76,16 @@ test('panels are those that stand beside the view, the bar with them unless ther
   expect(read('?panels=none').values.panels).toEqual([]);
   expect(read('?panels=view').values.panels).toEqual(['bar']);
   expect(read('?panels=view,jog,pose').values.panels).toEqual(['jog', 'pose', 'bar']);
-  expect(read('?panels=code,all').values.panels).toEqual(['code', 'robot', 'program', 'jog', 'pose', 'aim', 'bar']);
+  expect(read('?panels=code,all').values.panels).toEqual([
+    'code',
+    'robot',
+    'program',
+    'jacobian',
+    'jog',
+    'pose',
+    'aim',
+    'bar',
+  ]);
   for (const bad of ['', 'bar', 'none,jog', 'jog,cat', 'jog,'.repeat(50) + 'jog']) {
     expect(read(`?panels=${bad}`).values.panels, bad).toBe(null);
   }

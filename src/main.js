@@ -160,7 +160,8 @@ function stand(robot, isOther = false) {
     view.surround(stage);
     theme.onChange(stage.setTheme);
     const { missing } = view.text;
-    dragWhenNear(page, { stage, room: shell.view, isWide, missing, onError: messages.fault });
+    const userFrame = () => derived.user(store.state.doc);
+    dragWhenNear(page, { stage, room: shell.view, isWide, missing, userFrame, onError: messages.fault });
   } else {
     view.sayWhyEmpty();
   }

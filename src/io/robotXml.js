@@ -71,15 +71,16 @@ function readDocument(root) {
 /** @param {PlainRecord} file  as the table describes it @returns {Doc} */
 function documentFrom(file) {
   // What the table reads is a document but for the posture; validateDocument has the last word on it.
-  const { robot, postures, frames, targets, programs, extensions } = /** @type {Omit<Doc, 'posture'>} */ (
-    /** @type {unknown} */ (file)
-  );
+  const { robot, postures, frames, activeTool, activeUser, targets, programs, extensions } =
+    /** @type {Omit<Doc, 'posture'>} */ (/** @type {unknown} */ (file));
   const { name, info, units, convention, base, tool, joints } = robot;
   return {
     robot: { name, info, units, convention, base, tool, joints },
     posture: postures.find(isPresent)?.q ?? homePosture(robot),
     postures: postures.filter((posture) => !isPresent(posture)),
     frames,
+    ...(activeTool !== undefined && { activeTool }),
+    ...(activeUser !== undefined && { activeUser }),
     targets,
     programs,
     extensions,

@@ -131,7 +131,7 @@ const TARGET = element('target', {
   list: 'targets',
   noun: 'target',
   max: rules.MAX_TARGETS,
-  attributes: [required('id', types.ID), optional('configuration', LABEL), ...POSE],
+  attributes: [required('id', types.ID), optional('frame', types.ID), optional('configuration', LABEL), ...POSE],
 });
 
 const POSTURE = element('posture', {
@@ -164,6 +164,7 @@ export const ROBOT_MODEL = element('robotModel', {
     element('chain', { min: 1, order: 'sequence', children: [JOINT] }),
     element('tool', { record: 'robot.tool', absent: identityPose, attributes: POSE }),
     element('frames', {
+      attributes: [optional('activeUser', types.ID), optional('activeTool', types.ID)],
       order: 'choice',
       maxChildren: rules.MAX_FRAMES,
       children: [

@@ -5,6 +5,7 @@
  * A value that is undefined takes a limit away. A text is what was typed for the value, where that was an expression.
  *
  * @import { Convention, Doc, JointField, Units } from './document.js'
+ * @import { FrameCommand } from './frameCommands.js'
  * @import { JointCommand } from './jointCommands.js'
  * @import { RobotCommand } from './robotCommands.js'
  * @import { TableCommand } from './tableCommand.js'
@@ -23,12 +24,14 @@
  *   | TableCommand
  *   | JointCommand
  *   | TargetCommand
+ *   | FrameCommand
  *   | RobotCommand} Command
  *
  * Converting keeps the robot and changes the numbers; reinterpreting keeps the numbers and changes the robot.
  */
 import { convertConvention } from './convertConvention.js';
 import { convertUnits } from './convertUnits.js';
+import { applyFrameCommand } from './frameCommands.js';
 import { applyJointCommand } from './jointCommands.js';
 import { applyRobotCommand } from './robotCommands.js';
 import { textOf, withField } from './jointFields.js';
@@ -91,6 +94,14 @@ export function applyCommand(doc, command) {
     case 'move-target':
     case 'remove-target':
       return applyTargetCommand(doc, command);
+    case 'add-frame':
+    case 'rename-frame':
+    case 'number-frame':
+    case 'edit-frame':
+    case 'remove-frame':
+    case 'choose-tool':
+    case 'choose-user':
+      return applyFrameCommand(doc, command);
     case 'set-base':
     case 'set-tool':
     case 'set-link':

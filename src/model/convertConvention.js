@@ -16,6 +16,7 @@ import { rollPitchYawOf } from '../kinematics/orientation.js';
 import { quaternionOf } from '../kinematics/orientations/quaternion.js';
 import { compilePose } from './compile.js';
 import { identityPose } from './document.js';
+import { activeFrame, atPose } from './frames.js';
 import { convertAngle } from './units.js';
 
 /** Significant digits that a computed length keeps: those of a double, less its noise. */
@@ -27,9 +28,19 @@ const HALF_TURN = 180; // degrees
  * @param {Convention} convention
  * @returns {Doc} the same object if it has this convention
  */
-export function convertConvention(doc, convention) {
+export const convertConvention = (doc, convention) =>
+  doc.robot.convention === convention ? doc : withActiveTool(converted(doc, convention));
+
+/** The active tool is what the robot holds, to the sign of a zero. @param {Doc} doc @returns {Doc} */
+function withActiveTool(doc) {
+  const inUse = activeFrame(doc, 'tool');
+  if (!inUse) return doc;
+  return { ...doc, frames: doc.frames.with(doc.frames.indexOf(inUse), atPose(inUse, doc.robot.tool)) };
+}
+
+/** @param {Doc} doc @param {Convention} convention @returns {Doc} */
+function converted(doc, convention) {
   const { robot } = doc;
-  if (robot.convention === convention) return doc;
   const { base, tool, joints } = robot;
   const { angle } = robot.units;
   if (convention === 'modified') {

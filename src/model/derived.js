@@ -8,12 +8,14 @@ import { tcpPose } from '../kinematics/forward.js';
 import { xyzwprOf } from './aim.js';
 import { compilePosture, compileRobot } from './compile.js';
 import { memo } from './memo.js';
+import { activeFrame, framePose } from './frames.js';
 
 export function createDerived() {
   const chainOf = memo(compileRobot);
   const postureOf = memo(compilePosture);
   const tcpOf = memo(tcpPose);
   const xyzwprFrom = memo(xyzwprOf);
+  const userOf = memo(framePose);
 
   const chain = (/** @type {Doc} */ { robot }) => chainOf(robot);
   /** Joint values, metres and radians. */
@@ -23,6 +25,8 @@ export function createDerived() {
     chain,
     posture,
     tcp,
+    /** The active user frame seen from the world; the world itself where none is. */
+    user: (/** @type {Doc} */ doc) => userOf(activeFrame(doc, 'user'), doc.robot.units),
     /** The tool's pose as X Y Z W P R, in document units. */
     xyzwpr: (/** @type {Doc} */ doc) => xyzwprFrom(doc.robot, tcp(doc)),
   };

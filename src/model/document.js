@@ -63,15 +63,19 @@
  * @property {readonly JointDoc[]} joints  2 to 6 of them
  *
  * @typedef {{ readonly id: string, readonly q: readonly number[] }} PostureDoc  a recorded posture
- * @typedef {PoseDoc & { readonly kind: 'user' | 'tool', readonly id: string, readonly number?: number }} FrameDoc
- * @typedef {PoseDoc & { readonly id: string, readonly configuration?: string }} TargetDoc  a named pose of the tool, seen from the world
+ * @typedef {PoseDoc & { readonly kind: 'user' | 'tool', readonly id: string, readonly number?: number }} FrameDoc  a user
+ *   frame seen from the world, a tool seen from the flange; numbered as UFRAME and UTOOL, or BASE_DATA and TOOL_DATA
+ * @typedef {PoseDoc & { readonly id: string, readonly frame?: string, readonly configuration?: string }} TargetDoc  a named pose
+ *   of the tool, seen from the world, or from the user frame whose id it names
  * @typedef {{ readonly id: string, readonly language: 'karel' | 'fanuc-tp' | 'krl', readonly text: string }} ProgramDoc
  *
  * @typedef {object} Doc
  * @property {RobotDoc} robot
  * @property {readonly number[]} posture              a joint value for each joint
  * @property {readonly PostureDoc[]} postures         recorded, in the order they are visited
- * @property {readonly FrameDoc[]} frames             kept for controllers; not yet used here
+ * @property {readonly FrameDoc[]} frames             user frames and tools, ids unique among all
+ * @property {string} [activeTool]                    the id of the tool that `robot.tool` is; absent: of none in the list
+ * @property {string} [activeUser]                    the id of a user frame; absent: the world
  * @property {readonly TargetDoc[]} targets           named, in the order of their list
  * @property {readonly ProgramDoc[]} programs         kept; not yet used here
  * @property {readonly string[]} extensions           foreign XML elements of the file it came from, as text

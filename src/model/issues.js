@@ -24,6 +24,8 @@ export const DOCUMENT_ISSUES = Object.freeze({
   'vector-length': 'error',
   'joint-count': 'error',
   'posture-length': 'error', // not one value for each joint
+  'frame-unknown': 'error', // the active one, or that of a target, is not in the list
+  'tool-differs': 'error', // the active tool and the tool of the robot are different poses
   'too-many-postures': 'error',
   'too-many-frames': 'error',
   'too-many-targets': 'error',

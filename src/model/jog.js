@@ -7,7 +7,7 @@
  * @import { Followed } from '../kinematics/follow.js'
  * @import { JointDoc, RobotDoc } from './document.js'
  *
- * @typedef {'world' | 'base' | 'tool'} JogFrame
+ * @typedef {'world' | 'base' | 'tool' | 'user'} JogFrame
  *
  * @typedef {object} JogStop   why it goes no further
  * @property {'limit' | 'reach' | 'orientation' | 'singularity' | 'freedom' | 'outside'} why

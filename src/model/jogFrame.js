@@ -11,6 +11,8 @@ import { poseOfAxes } from './handleAxes.js';
  * @param {Chain} chain
  * @param {Float64Array} q
  * @param {JogFrame} frame
+ * @param {Float64Array} T_world_user  the active user frame
  * @returns {Float64Array} column-major; where it is does not matter
  */
-export const jogFramePose = (chain, q, frame) => poseOfAxes(frame, chain, tcpPose(chain, q));
+export const jogFramePose = (chain, q, frame, T_world_user) =>
+  poseOfAxes(frame, chain, tcpPose(chain, q), T_world_user);

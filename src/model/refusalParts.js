@@ -13,7 +13,7 @@ export function shown(value) {
   return typeof value === 'object' && value !== null ? 'an object' : String(value).replace('-', '−');
 }
 
-/** @param {'joint' | 'posture' | 'target'} what @param {number} index @param {number} count @param {number} [least] */
+/** @param {'joint' | 'posture' | 'target' | 'frame'} what @param {number} index @param {number} count @param {number} [least] */
 export function badIndex(what, index, count, least = 0) {
   if (Number.isInteger(index) && index >= least && index < count) return null;
   return issue('index', what, `Expected a ${what} index from ${shown(least)} to ${count - 1}, got ${shown(index)}.`);
@@ -29,4 +29,13 @@ export function badNumber(what, value, mayBeAbsent = false) {
 export function badChoice(what, path, value, choices) {
   if (choices.includes(value)) return null;
   return issue('choice', path, `Expected ${choices.join(' or ')} as ${what}, got ${shown(value)}.`);
+}
+
+/** @param {readonly number[]} posture @param {number} count  of joints @returns {Issue | null} */
+export function badPosture(posture, count) {
+  if (!Array.isArray(posture) || posture.length !== count) {
+    const came = Array.isArray(posture) ? posture.length : shown(posture);
+    return issue('posture-length', 'posture', `Expected ${count} joint values, got ${came}.`);
+  }
+  return posture.reduce((found, value) => found ?? badNumber('joint value', value), /** @type {Issue | null} */ (null));
 }

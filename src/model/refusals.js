@@ -7,11 +7,12 @@
  */
 import { MAX_POSTURES } from './document.js';
 import { CONVENTIONS, ID_PATTERN, PRESENT_POSTURE_ID } from './documentRules.js';
+import { frameRefusal } from './frameRefusals.js';
 import { tableRefusal } from './tableCommand.js';
 import { targetRefusal } from './targetRefusals.js';
 import { badText } from './textRefusals.js';
 import { jointRefusal } from './jointRefusals.js';
-import { badChoice, badIndex, badNumber, issue, shown } from './refusalParts.js';
+import { badChoice, badIndex, badNumber, badPosture, issue, shown } from './refusalParts.js';
 import { robotRefusal } from './robotRefusals.js';
 import { unitsRefusal, baseAndToolRefusal } from './convertRefusals.js';
 
@@ -44,16 +45,8 @@ export function refusal(doc, command) {
       );
     case 'set-joint-value':
       return badIndex('joint', command.joint, posture.length) ?? badNumber('joint value', command.value);
-    case 'set-posture': {
-      if (!Array.isArray(command.posture) || command.posture.length !== posture.length) {
-        const came = Array.isArray(command.posture) ? command.posture.length : shown(command.posture);
-        return issue('posture-length', 'posture', `Expected ${posture.length} joint values, got ${came}.`);
-      }
-      return command.posture.reduce(
-        (found, value) => found ?? badNumber('joint value', value),
-        /** @type {Issue | null} */ (null),
-      );
-    }
+    case 'set-posture':
+      return badPosture(command.posture, posture.length);
     case 'record-posture':
       if (postures.length < MAX_POSTURES) return null;
       return issue('too-many-postures', 'postures', `A model keeps at most ${MAX_POSTURES} recorded postures.`);
@@ -81,6 +74,14 @@ export function refusal(doc, command) {
     case 'move-target':
     case 'remove-target':
       return targetRefusal(doc, command);
+    case 'add-frame':
+    case 'rename-frame':
+    case 'number-frame':
+    case 'edit-frame':
+    case 'remove-frame':
+    case 'choose-tool':
+    case 'choose-user':
+      return frameRefusal(doc, command);
     case 'set-base':
     case 'set-tool':
     case 'set-link':

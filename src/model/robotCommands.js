@@ -14,6 +14,8 @@
  *   | { type: 'rename-robot', name: string }
  *   | { type: 'set-robot-info', field: keyof RobotInfo, text: string }} RobotCommand
  */
+import { withTool } from './frameCommands.js';
+import { isSamePose } from './samePose.js';
 
 /**
  * @param {Doc} doc
@@ -27,7 +29,7 @@ export function applyRobotCommand(doc, command) {
     case 'set-base':
       return isSamePose(robot.base, command.pose) ? doc : withRobot(doc, { base: command.pose });
     case 'set-tool':
-      return isSamePose(robot.tool, command.pose) ? doc : withRobot(doc, { tool: command.pose });
+      return withTool(doc, command.pose);
     case 'set-link': {
       const { joint, link } = command;
       if (isSameRecord(joints[joint].link, link)) return doc;
@@ -57,14 +59,6 @@ const withRobot = (doc, change) => ({ ...doc, robot: { ...doc.robot, ...change }
 /** Without the fields that are undefined. @template {object} Thing @param {Thing} thing */
 const present = (thing) =>
   /** @type {Thing} */ (Object.fromEntries(Object.entries(thing).filter(([, value]) => value !== undefined)));
-
-/** The same numbers, written the same way. @param {PoseDoc} one @param {PoseDoc} other */
-const isSamePose = (one, other) =>
-  isSameList(one.xyz, other.xyz) && isSameList(one.rpy, other.rpy) && isSameList(one.quaternion, other.quaternion);
-
-/** @param {readonly number[] | undefined} one @param {readonly number[] | undefined} other */
-const isSameList = (one, other) =>
-  one === other || (one?.length === other?.length && one?.every((value, i) => Object.is(value, other?.[i])) === true);
 
 /** @param {LinkDoc} one @param {LinkDoc} other */
 const isSameRecord = (one, other) =>

@@ -11,6 +11,7 @@
  * @import { JacobianView } from './jacobianView.js'
  * @import { JogChoices } from './jogChoices.js'
  * @import { NumbersView } from './numbersView.js'
+ * @import { ToolKeeps } from './toolChange.js'
  *
  * @typedef {'robot' | 'program' | 'code' | 'jacobian'} Tab
  * @typedef {Tab | 'jog' | 'aim'} Panel
@@ -32,7 +33,6 @@
  * @property {number | null} heldJoint  the joint whose slider is in the hand
  * @property {number | null} openJoint  the joint whose limits, home and link are open below the table
  * @property {readonly number[] | null} target  X Y Z W P R in document units; null while it follows the tool
- * @property {string} targetForm  how it is written: the id of one of ORIENTATION_FORMS, or "matrix"
  * @property {AimAnswer | null} answer  what inverse kinematics said to the target
  * @property {{ readonly posture: readonly number[], readonly label: string } | null} ghost  where the arm would stand: a solution being looked at
  * @property {FramesShown} frames   of the scene; this and the next stay when another document is opened
@@ -61,6 +61,7 @@ import { FIRST_JACOBIAN } from './jacobianView.js';
 import { FIRST_JOG } from './jogChoices.js';
 import { refusal } from './refusals.js';
 import { FIRST_HANDLE } from './handleAxes.js';
+import { fitUserFrame } from './userAxes.js';
 import { FIRST_NUMBERS, fitNumbers } from './numbersView.js';
 import { cancelGesture, endGesture, record, redo, startHistory, undo } from './history.js';
 
@@ -73,7 +74,6 @@ const FRESH = {
   heldJoint: null,
   openJoint: null,
   target: null,
-  targetForm: 'wpr',
   answer: null,
   ghost: null,
   frames: 'ends',
@@ -85,6 +85,7 @@ const FRESH = {
   pointedLink: null,
   jog: FIRST_JOG,
   jacobian: FIRST_JACOBIAN,
+  toolKeeps: 'flange',
   numbers: FIRST_NUMBERS,
   edition: 0,
 };
@@ -130,16 +131,16 @@ export function reduce(state, action) {
  */
 function settle(state, history, next) {
   if (next === history) return state;
-  const { session } = state;
+  const session = fitUserFrame(state.session, next.doc);
   const { robot } = next.doc;
   const old = history.doc.robot;
   if (robot === old) return { ...next, session };
   const isOther = robot.name !== old.name && robot.joints !== old.joints; // a new name alone makes no other robot
   const sameShape = robot.joints.length === old.joints.length && robot.units === old.units && !isOther;
-  const { panel, tab, edition, frames, projection, handle, jog, jacobian, targetForm } = session;
+  const { panel, tab, edition, frames, projection, handle, jog, jacobian, toolKeeps } = session;
   const openJoint = session.openJoint === null ? null : Math.min(session.openJoint, robot.joints.length - 1);
   const numbers = fitNumbers(session.numbers, robot);
-  const kept = { panel, tab, edition, frames, projection, handle, jog, jacobian, targetForm, openJoint, numbers };
+  const kept = { panel, tab, edition, frames, projection, handle, jog, jacobian, toolKeeps, openJoint, numbers };
   return { ...next, session: sameShape ? { ...session, answer: null, ghost: null } : { ...FRESH, ...kept } };
 }
 

@@ -6,7 +6,7 @@
  * @import { TargetCommand } from './targets.js'
  */
 import { ID_PATTERN, MAX_LABEL_LENGTH, MAX_TARGETS } from './documentRules.js';
-import { badIndex, issue } from './refusalParts.js';
+import { badIndex, issue, shown } from './refusalParts.js';
 import { badPose, badText } from './robotRefusals.js';
 
 /**
@@ -14,19 +14,22 @@ import { badPose, badText } from './robotRefusals.js';
  * @param {TargetCommand} command
  * @returns {Issue | null}
  */
-export function targetRefusal({ targets }, command) {
+export function targetRefusal({ targets, frames }, command) {
   switch (command.type) {
     case 'add-target':
       if (targets.length >= MAX_TARGETS) {
         return issue('too-many-targets', 'targets', `A model keeps at most ${MAX_TARGETS} named targets.`);
       }
-      return badPose('targets', command.pose) ?? badConfiguration(command.configuration);
+      return (
+        badPose('targets', command.pose) ?? badFrame(frames, command.frame) ?? badConfiguration(command.configuration)
+      );
     case 'rename-target':
       return badIndex('target', command.index, targets.length) ?? badTargetId(targets, command);
     case 'edit-target':
       return (
         badIndex('target', command.index, targets.length) ??
         badPose(`targets.${command.index}`, command.pose) ??
+        badFrame(frames, command.frame) ??
         badConfiguration(command.configuration)
       );
     case 'move-target':
@@ -36,6 +39,12 @@ export function targetRefusal({ targets }, command) {
     default:
       return null;
   }
+}
+
+/** @param {Doc['frames']} frames @param {string | undefined} id */
+function badFrame(frames, id) {
+  if (id === undefined || frames.some((frame) => frame.kind === 'user' && frame.id === id)) return null;
+  return issue('frame-unknown', 'targets.frame', `There is no user frame ${shown(id)}.`);
 }
 
 /** @param {string | undefined} configuration */

@@ -1,12 +1,13 @@
 /**
- * Named targets: poses of the tool that a document keeps, seen from the world, in its units. A target may say in which
+ * Named targets: poses of the tool that a document keeps, in its units, seen from the world or from a user frame, with
+ * which they then move. A target may say in which
  * configuration the arm stood when it was kept; whoever goes there again then takes the same one, if there is one.
  *
  * @import { Doc, PoseDoc, TargetDoc } from './document.js'
  *
- * @typedef {{ type: 'add-target', pose: PoseDoc, configuration?: string }
+ * @typedef {{ type: 'add-target', pose: PoseDoc, frame?: string, configuration?: string }
  *   | { type: 'rename-target', index: number, id: string }
- *   | { type: 'edit-target', index: number, pose: PoseDoc, configuration?: string }
+ *   | { type: 'edit-target', index: number, pose: PoseDoc, frame?: string, configuration?: string }
  *   | { type: 'move-target', index: number, to: number }
  *   | { type: 'remove-target', index: number }} TargetCommand
  */
@@ -48,12 +49,13 @@ export function applyTargetCommand(doc, command) {
 /**
  * What of a pose a target keeps, and nothing else that came with it.
  * @param {string} id
- * @param {{ pose: PoseDoc, configuration?: string }} given
+ * @param {{ pose: PoseDoc, frame?: string, configuration?: string }} given
  * @returns {TargetDoc}
  */
-function made(id, { pose: { xyz, rpy, quaternion }, configuration }) {
+function made(id, { pose: { xyz, rpy, quaternion }, frame, configuration }) {
   return {
     id,
+    ...(frame !== undefined && { frame }),
     xyz: [...xyz],
     ...(rpy && { rpy: [...rpy] }),
     ...(quaternion && { quaternion: [...quaternion] }),
@@ -67,6 +69,7 @@ function isSame(a, b) {
   const agree = (one, other) =>
     one === other || (one?.length === other?.length && one?.every((value, i) => Object.is(value, other?.[i])));
   return (
+    a.frame === b.frame &&
     a.configuration === b.configuration &&
     agree(a.xyz, b.xyz) &&
     agree(a.rpy, b.rpy) &&

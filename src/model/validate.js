@@ -20,6 +20,7 @@ import {
   PRESENT_POSTURE_ID,
   PROGRAM_LANGUAGES,
 } from './documentRules.js';
+import { checkFrameId, framesIssues } from './validateFrames.js';
 import { jointsIssues } from './validateJoints.js';
 import {
   checkChoice,
@@ -42,6 +43,7 @@ export const validateDocument = (doc) => [
   ...jointsIssues(doc.robot.joints),
   ...checkPosture('The present posture', 'posture', doc.posture, doc.robot.joints.length),
   ...posturesIssues(doc),
+  ...checkCount('too-many-frames', 'frames', doc.frames.length, MAX_FRAMES),
   ...framesIssues(doc),
   ...targetsIssues(doc),
   ...programsIssues(doc),
@@ -87,30 +89,13 @@ function* posturesIssues({ robot, postures }) {
 }
 
 /** @param {Doc} doc @returns {Issues} */
-function* framesIssues({ frames }) {
-  yield* checkCount('too-many-frames', 'frames', frames.length, MAX_FRAMES);
-  for (const [i, frame] of frames.entries()) {
-    const owner = `Frame ${shownValue(frame.id)}`;
-    yield* checkId(`Frame ${i + 1}`, `frames.${i}.id`, frame.id);
-    yield* checkChoice(owner, 'the kind', `frames.${i}.kind`, frame.kind, ['user', 'tool']);
-    yield* checkPose(owner, `frames.${i}`, frame);
-    if (frame.number === undefined) continue;
-    yield* checkNumber(owner, 'the number', `frames.${i}.number`, frame.number);
-    if (!Number.isInteger(frame.number) || frame.number < 1) {
-      const message = `${owner} has the number ${shownValue(frame.number)}; expected a whole number above 0.`;
-      yield documentIssue('number', `frames.${i}.number`, message);
-    }
-  }
-  yield* checkDifferentIds('frames', 'frames', frames);
-}
-
-/** @param {Doc} doc @returns {Issues} */
-function* targetsIssues({ targets }) {
+function* targetsIssues({ targets, frames }) {
   yield* checkCount('too-many-targets', 'targets', targets.length, MAX_TARGETS);
   for (const [i, target] of targets.entries()) {
     const owner = `Target ${shownValue(target.id)}`;
     yield* checkId(`Target ${i + 1}`, `targets.${i}.id`, target.id);
     yield* checkPose(owner, `targets.${i}`, target);
+    yield* checkFrameId(owner, `targets.${i}.frame`, target.frame, frames, 'user');
     if (target.configuration === undefined) continue;
     yield* checkText(
       owner,

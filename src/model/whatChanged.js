@@ -12,6 +12,7 @@
  *   | { what: 'rate', joint: number, rate: Rate }
  *   | { what: 'type' | 'link' | 'joint' | 'joint-added' | 'joint-removed' | 'joint-moved', joint: number }
  *   | { what: 'robot' | 'name', name: string }
+ *   | { what: 'tool-chosen' | 'user-chosen', id: string | null }
  *   | { what: 'units', units: Units }
  *   | { what: 'convention', convention: Convention }
  *   | { what: 'base' | 'tool' | 'info' | 'order' | 'table' | 'posture' | 'other' }
@@ -25,15 +26,33 @@ import { textOf } from './jointFields.js';
  * @returns {Change}
  */
 export function whatChanged(before, after) {
+  const chosen = before.robot.joints === after.robot.joints ? ofActive(before, after) : null;
+  if (chosen) return chosen;
   if (before.robot !== after.robot) return ofRobot(before.robot, after.robot);
   if (before.posture !== after.posture) {
     const moved = differing(before.posture, after.posture);
     return moved.length === 1 ? { what: 'joint-moved', joint: moved[0] } : { what: 'posture' };
   }
-  for (const list of /** @type {const} */ (['postures', 'targets', 'frames'])) {
+  for (const list of /** @type {const} */ (['postures', 'frames', 'targets'])) {
     if (before[list] !== after[list]) return ofList(list, before[list], after[list]);
   }
   return { what: 'other' };
+}
+
+/**
+ * Another active tool or user frame, unless the old one was only renamed; one that is gone was removed.
+ * @param {Doc} before @param {Doc} after @returns {Change | null}
+ */
+function ofActive(before, after) {
+  const isGone = after.frames.length < before.frames.length;
+  if (before.activeTool === after.activeTool && before.activeUser === after.activeUser) return null;
+  if (isGone) return ofList('frames', before.frames, after.frames);
+  const isListed = (/** @type {string | undefined} */ id) =>
+    id === undefined || after.frames.some((frame) => frame.id === id);
+  if (before.activeTool !== after.activeTool) {
+    return isListed(before.activeTool) ? { what: 'tool-chosen', id: after.activeTool ?? null } : null;
+  }
+  return isListed(before.activeUser) ? { what: 'user-chosen', id: after.activeUser ?? null } : null;
 }
 
 /** @param {RobotDoc} before @param {RobotDoc} after @returns {Change} */

@@ -333,7 +333,15 @@ export function createToolDrag(state, { stage, room, isWide, missing, userFrame 
   document.addEventListener('keydown', onEscape, { capture: true });
   noHover.addEventListener('change', redraw);
   addView(
-    together(({ doc, session: now }) => [doc.robot, doc.posture, now.handle, now.drag, now.toolKeys, now.build]),
+    together(({ doc, session: now }) => [
+      doc.robot,
+      doc.posture,
+      derived.user(doc),
+      now.handle,
+      now.drag,
+      now.toolKeys,
+      now.build,
+    ]),
     redraw,
   );
 }

@@ -20,7 +20,8 @@
  * @property {Clock} clock
  */
 import { isAtAnswer, poseFromXyzwpr } from '../model/aim.js';
-import { compileLinkStyles, compilePose, compilePosture } from '../model/compile.js';
+import { compileLinkStyles, compilePosture } from '../model/compile.js';
+import { targetPose } from '../model/frames.js';
 import { memo } from '../model/memo.js';
 import { isRowField, motionAt } from '../model/rowMotions.js';
 import { together } from '../model/views.js';
@@ -141,10 +142,10 @@ export function createRobotView({ store, addView, derived, clock }, options) {
   );
   const withTargets = whenWanted(async () => (await import('./targetFrames.js')).createTargetFrames);
   addView(
-    together(({ doc }) => [doc.targets, doc.robot.units]),
-    ([targets, units]) =>
+    together(({ doc }) => [doc.targets, doc.robot.units, doc.frames]),
+    ([targets]) =>
       withTargets(targets.length > 0, (marks) =>
-        marks.want(targets.map((target) => ({ id: target.id, T_base_target: compilePose(target, units) }))),
+        marks.want(targets.map((target) => ({ id: target.id, T_base_target: targetPose(store.state.doc, target) }))),
       ),
   );
 

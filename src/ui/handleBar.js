@@ -20,7 +20,7 @@ import { TEXT } from './strings.js';
 const words = TEXT.drag;
 
 /** @type {readonly HandleAxes[]} */
-const AXES = ['base', 'tool', 'world'];
+const AXES = ['base', 'tool', 'world', 'user'];
 
 const DECIMALS = { mm: 0, cm: 1, m: 3, deg: 0, rad: 2 };
 
@@ -81,9 +81,12 @@ export function createHandleBar({ store, addView, announce }, host, { isWide, po
     (isShown) => (bar.hidden = !isShown),
   );
   addView(
-    together(({ doc, session }) => [session.handle, doc.robot.units]),
-    ([{ axes, snaps }, units]) => {
-      for (const button of axisButtons) button.setAttribute('aria-pressed', String(button.dataset.axes === axes));
+    together(({ doc, session }) => [session.handle, doc.robot.units, doc.activeUser]),
+    ([{ axes, snaps }, units, user]) => {
+      for (const button of axisButtons) {
+        button.setAttribute('aria-pressed', String(button.dataset.axes === axes));
+        if (button.dataset.axes === 'user') button.hidden = user === undefined;
+      }
       const step = (/** @type {'length' | 'angle'} */ quantity, /** @type {number} */ value) =>
         withUnit(plain(Number(fromKernel(quantity, value, units).toPrecision(3))), units[quantity]);
       snap.textContent = words.snap(step('length', HANDLE_STEP.metres), step('angle', HANDLE_STEP.radians));

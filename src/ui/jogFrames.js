@@ -9,7 +9,7 @@ import { h } from './dom.js';
 import { PENDANT } from './words/jogPendant.js';
 
 /** @type {readonly JogFrame[]} */
-const FRAMES = ['world', 'base', 'tool'];
+const FRAMES = ['world', 'base', 'user', 'tool'];
 
 /** @param {Page} page @returns {HTMLElement} */
 export function createFrameChooser({ store, addView }) {
@@ -26,10 +26,15 @@ export function createFrameChooser({ store, addView }) {
     buttons.map(({ button }) => button),
   );
   addView(
-    together(({ session }) => [session.jog.frame, session.jog.mode]),
-    ([chosen, mode]) => {
+    together(({ doc, session }) => [session.jog.frame, session.jog.mode, doc.activeUser]),
+    ([chosen, mode, user]) => {
       element.hidden = mode !== 'tool';
-      for (const { frame, button } of buttons) button.setAttribute('aria-pressed', String(frame === chosen));
+      for (const { frame, button } of buttons) {
+        button.setAttribute('aria-pressed', String(frame === chosen));
+        if (frame !== 'user') continue;
+        button.hidden = user === undefined;
+        button.title = `${PENDANT.frameNote.user} (${user})`;
+      }
     },
   );
   return element;

@@ -75,7 +75,7 @@ export function createJogMotion(page, onProgress) {
     const chain = chainNow();
     if (!now.press) {
       const q = compilePosture(robot, posture);
-      now.press = beginJog(chain, q, jogFramePose(chain, q, choices().frame), way.axis);
+      now.press = beginJog(chain, q, jogFramePose(chain, q, choices().frame, derived.user(doc)), way.axis);
     }
     const before = now.press;
     const amount = sign * amountOf(way, seconds);

@@ -4,16 +4,18 @@
  *
  * @import { Page } from './page.js'
  * @import { PoseParts } from './poseParts.js'
+ * @import { Copied } from './copyMenu.js'
+ * @import { Doc } from '../model/document.js'
  * @import { AppState } from '../model/session.js'
  * @import { CopySheet } from '../model/copyText.js'
  * @import { FrameId } from '../model/frameNumbers.js'
- * @import { OrientationForm, Reading } from '../model/orientationNumbers.js'
+ * @import { OrientationForm, Reading } from '../model/orientationForms.js'
  */
 import './css/numbers.css';
 import { jointsSheet, KERNEL_UNITS, linksSheet, matrixSheet, poseSheet } from '../model/copySheets.js';
 import { frameSeenFrom, framesOf, linkFramesOf } from '../model/frameNumbers.js';
 import { memo } from '../model/memo.js';
-import { orientationForm } from '../model/orientationForms.js';
+import { ORIENTATION_FORMS, orientationForm, usersOf } from '../model/orientationForms.js';
 import { rowsOf } from '../model/poseRows.js';
 import { fromKernel } from '../model/units.js';
 import { together } from '../model/views.js';
@@ -22,7 +24,6 @@ import { fill, h } from './dom.js';
 import { fixed, poseNumber, unitSign } from './format.js';
 import { createLinksView } from './linksView.js';
 import { createMatrix, matrixTexts } from './matrixView.js';
-import { formSection } from './formMenu.js';
 import { addMenu } from './poseMenu.js';
 import { createPoseGrid } from './poseGrid.js';
 import { TEXT } from './strings.js';
@@ -30,8 +31,9 @@ import { NUMBERS } from './words/numbers.js';
 
 const PURE_DECIMALS = 5;
 
-/** @param {FrameId} frame */
-function nameOf(frame) {
+/** @param {FrameId} frame @param {Doc} doc */
+function nameOf(frame, { activeUser }) {
+  if (frame === 'user' && activeUser !== undefined) return activeUser;
   if (typeof frame !== 'number') return NUMBERS.frameName[frame];
   return frame === 0 ? NUMBERS.frameName.base : NUMBERS.frame(frame);
 }
@@ -64,6 +66,7 @@ export function runNumbersPanel(page, parts) {
       session.numbers.from,
       framesFor(derived.chain(doc), derived.posture(doc)),
       derived.tcp(doc),
+      derived.user(doc),
     );
 
   const matrix = createMatrix();
@@ -73,10 +76,12 @@ export function runNumbersPanel(page, parts) {
 
   addMenu(parts.frames, () => {
     const { frame: now, from } = numbers();
-    const all = framesOf(store.state.doc.robot);
+    const { doc } = store.state;
+    const all = framesOf(doc.robot, doc.activeUser !== undefined);
     /** @param {'frame' | 'from'} key @param {FrameId} frame */
     const item = (key, frame) => ({
-      title: nameOf(frame),
+      title: nameOf(frame, doc),
+      detail: frame === 'user' ? NUMBERS.userFrame : undefined,
       isChosen: frame === (key === 'frame' ? now : from),
       run: () => choose({ [key]: frame }),
     });
@@ -88,8 +93,15 @@ export function runNumbersPanel(page, parts) {
   addMenu(parts.form, () => {
     const { form: chosen, tab: open } = numbers();
     /** @param {OrientationForm['group']} group */
-    const section = (group) =>
-      formSection(group, open === 'pose' ? chosen : null, (form) => choose({ form, tab: 'pose' }));
+    const section = (group) => ({
+      heading: NUMBERS.group[group],
+      items: ORIENTATION_FORMS.filter((form) => form.group === group).map((form) => ({
+        title: form.name,
+        detail: detailOf(form),
+        isChosen: open === 'pose' && form.id === chosen,
+        run: () => choose({ form: form.id, tab: 'pose' }),
+      })),
+    });
     const whole = {
       heading: NUMBERS.group.whole,
       items: /** @type {const} */ (['matrix', 'links']).map((tab) => ({
@@ -103,7 +115,7 @@ export function runNumbersPanel(page, parts) {
   for (const tab of parts.tabs)
     tab.addEventListener('click', () => choose({ tab: /** @type {'pose' | 'matrix' | 'links'} */ (tab.dataset.ask) }));
 
-  /** @param {'pose' | 'matrix' | 'links' | 'allLinks' | 'joints'} what @returns {CopySheet} */
+  /** @param {Copied} what @returns {CopySheet} */
   function sheetOf(what) {
     const { doc } = store.state;
     const { robot } = doc;
@@ -115,21 +127,15 @@ export function runNumbersPanel(page, parts) {
     if (what === 'joints') return jointsSheet(doc, units);
     return linksSheet(robot, what === 'links' ? links.shown() : links.all(), units);
   }
-  runCopyMenu(page, parts, {
-    sheetOf,
-    main: () => numbers().tab,
-    others: ['pose', 'matrix', 'joints', 'allLinks'],
-    names: NUMBERS.what,
-    titles: NUMBERS.also,
-    title: TEXT.pose.copy,
-  });
+  runCopyMenu(page, parts, sheetOf);
 
   addView(
-    ({ session }) => session.numbers,
-    ({ frame, from, form: id, tab }) => {
+    together(({ doc, session }) => [session.numbers, doc.activeUser]),
+    ([{ frame, from, form: id, tab }]) => {
+      const { doc } = store.state;
       const form = orientationForm(id);
-      parts.titleText.textContent = NUMBERS.poseOf(nameOf(frame));
-      parts.frameText.textContent = NUMBERS.seenFrom(nameOf(from));
+      parts.titleText.textContent = NUMBERS.poseOf(nameOf(frame, doc));
+      parts.frameText.textContent = NUMBERS.seenFrom(nameOf(from, doc));
       parts.formText.textContent = tab === 'pose' ? form.name : TEXT.pose.tabDetail[tab];
       parts.form.title = tab === 'pose' ? (form.product ?? form.name) : TEXT.pose.chooseForm;
       parts.bar.dataset.tab = tab;
@@ -165,7 +171,8 @@ export function runNumbersPanel(page, parts) {
       if (tab === 'matrix') {
         if (isNew) fill(body, matrixPage);
         const rows = rowsOf(T).map((row, i) => (i < 3 ? row.with(3, lengths[i]) : row));
-        matrix.draw(NUMBERS.matrix(nameOf(frame), nameOf(from)), matrixTexts(rows, units.length));
+        const { doc } = store.state;
+        matrix.draw(NUMBERS.matrix(nameOf(frame, doc), nameOf(from, doc)), matrixTexts(rows, units.length));
         matrixFoot.textContent = NUMBERS.lengths(unitSign(units.length));
         say('');
         return;
@@ -190,4 +197,11 @@ export function runNumbersPanel(page, parts) {
       say(freedomInWords(form, reading));
     },
   );
+}
+
+/** @param {OrientationForm} form */
+function detailOf(form) {
+  if (!form.product) return /** @type {Record<string, string>} */ (NUMBERS.formDetail)[form.id];
+  const users = form.group === 'moving' || form.group === 'fixed' ? usersOf(form) : [];
+  return [form.product, ...users].join('; ');
 }

@@ -11,8 +11,6 @@
  * @import { Store } from '../model/store.js'
  * @import { AddView } from '../model/views.js'
  *
- * @typedef {Command | Extract<Action, { type: 'show' }>} Change  of the document, or of what the session looks at
- *
  * @typedef {object} Page
  * @property {Store<AppState, Action>} store
  * @property {AddView<AppState>} addView
@@ -58,15 +56,15 @@ export function step({ store, announce }, type) {
 }
 
 /**
- * Carry out a command, unless there is something against it; nothing is ever against looking at something.
+ * Carry out a command, unless there is something against it.
  * @param {Page} page
- * @param {Change & { gesture?: string }} change
+ * @param {Command & { gesture?: string }} command
  * @returns {string | null} the reason why not, in a sentence
  */
-export function attempt({ store }, change) {
-  const reason = change.type === 'show' ? null : refusal(store.state.doc, change);
+export function attempt({ store }, command) {
+  const reason = refusal(store.state.doc, command);
   if (reason) return reason.message;
-  store.dispatch(change);
+  store.dispatch(command);
   return null;
 }
 

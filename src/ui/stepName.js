@@ -38,6 +38,10 @@ function changeName(before, after) {
     case 'robot':
     case 'name':
       return STEPS[change.what](change.name || TEXT.unnamedRobot);
+    case 'tool-chosen':
+      return STEPS.toolChosen(change.id);
+    case 'user-chosen':
+      return STEPS.userChosen(change.id);
     case 'units':
       return STEPS.units(change.units.length, change.units.angle);
     case 'convention':

@@ -6,7 +6,7 @@
  */
 import $ from 'jquery/slim';
 import { xyzwprOf } from '../model/aim.js';
-import { compilePose } from '../model/compile.js';
+import { targetPose } from '../model/frames.js';
 import { configurationAt } from '../model/solutions.js';
 import { together } from '../model/views.js';
 import './css/targets.css';
@@ -56,7 +56,7 @@ export function createTargetsPanel(page, host) {
       const { robot, targets } = store.state.doc;
       const { id } = targets[index];
       if (action === 'aim') {
-        const target = xyzwprOf(robot, compilePose(targets[index], robot.units));
+        const target = xyzwprOf(robot, targetPose(store.state.doc, targets[index]));
         store.dispatch({ type: 'show', change: { target, answer: null } });
         announce(TARGETS.aimed(id));
       } else if (action === 'set') {

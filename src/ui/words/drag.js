@@ -4,7 +4,7 @@ export const DRAG = {
   handle: 'Handle on the tool',
   bar: 'Dragging the tool',
   axesLabel: 'Axes of the handle',
-  axes: { base: 'Base', tool: 'Tool', world: 'World', user: 'User frame' },
+  axes: { base: 'Base', tool: 'Tool', world: 'World', user: 'User' },
   inAxes: { base: 'base', tool: 'tool', world: 'world', user: 'user' },
   snap: (/** @type {string} */ length, /** @type {string} */ angle) => `Snap ${length} · ${angle}`,
   snapTitle: 'Move and turn in whole steps; Shift while dragging does the other',

@@ -4,7 +4,7 @@
  */
 
 /** @type {Record<JogFrame, string>} */
-const FRAME = { world: 'World', base: 'Base', tool: 'Tool' };
+const FRAME = { world: 'World', base: 'Base', user: 'User', tool: 'Tool' };
 
 const AXES = ['X', 'Y', 'Z'];
 
@@ -15,6 +15,7 @@ export const PENDANT = {
   frameNote: {
     world: 'Along and about the axes of the world.',
     base: 'Along and about the axes of the robot’s base.',
+    user: 'Along and about the axes of the active user frame.',
     tool: 'Along and about the tool’s own axes.',
   },
   how: 'How the arm moves',

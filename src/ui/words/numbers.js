@@ -1,10 +1,11 @@
 /** Poses in every convention, matrices, link transforms, and copying them. */
 
 export const NUMBERS = {
-  frameName: { tool: 'tool', flange: 'flange', world: 'world', base: 'base' },
+  frameName: { tool: 'tool', flange: 'flange', user: 'user frame', world: 'world', base: 'base' },
   frame: (/** @type {number} */ index) => `frame ${index}`,
   poseOf: (/** @type {string} */ frame) => `${frame[0].toUpperCase()}${frame.slice(1)} pose`,
   seenFrom: (/** @type {string} */ frame) => `in ${frame}`,
+  userFrame: 'the active user frame',
   of: 'Pose of the',
   from: 'Seen from the',
   group: {

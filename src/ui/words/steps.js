@@ -30,6 +30,8 @@ export const STEPS = {
   info: 'facts about the robot',
   base: 'base',
   tool: 'tool',
+  toolChosen: (/** @type {string | null} */ id) => (id === null ? 'no tool' : `tool ${id} chosen`),
+  userChosen: (/** @type {string | null} */ id) => (id === null ? 'no user frame' : `user frame ${id} chosen`),
   units: (/** @type {string} */ length, /** @type {string} */ angle) => `units ${length} and ${angle}`,
   convention: { standard: 'standard DH', modified: 'modified DH' },
   list: { postures: 'posture', targets: 'target', frames: 'frame' },

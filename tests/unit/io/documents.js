@@ -167,7 +167,7 @@ const frames = fc.uniqueArray(
 /** @type {fc.Arbitrary<TargetDoc[]>} */
 const targets = fc.uniqueArray(
   fc
-    .tuple(pose, record({ id, configuration: text(40) }, { requiredKeys: ['id'] }))
+    .tuple(pose, record({ id, frame: id, configuration: text(40) }, { requiredKeys: ['id'] }))
     .map(([where, rest]) => /** @type {TargetDoc} */ ({ ...where, ...rest })),
   { selector: (target) => target.id, maxLength: 4 },
 );
@@ -216,5 +216,32 @@ export const documents = fc.uniqueArray(id, { minLength: 2, maxLength: 6 }).chai
     targets,
     programs,
     extensions,
-  }),
+  }).chain(withActive),
 );
+
+/**
+ * One of its user frames and tools active, or none; targets in frames that are there.
+ * @param {Doc} doc
+ * @returns {fc.Arbitrary<Doc>}
+ */
+function withActive(doc) {
+  const users = doc.frames.filter(({ kind }) => kind === 'user').map((frame) => frame.id);
+  const tools = doc.frames.filter(({ kind }) => kind === 'tool');
+  const targetsThere = doc.targets.map(({ frame, ...target }, i) => ({
+    ...target,
+    ...(frame !== undefined && users.length > 0 && { frame: users[i % users.length] }),
+  }));
+  return fc
+    .tuple(fc.constantFrom(undefined, ...users), fc.constantFrom(undefined, ...tools))
+    .map(([activeUser, tool]) => {
+      const { xyz, rpy, quaternion } = tool ?? doc.robot.tool;
+      const pose = { xyz, ...(rpy && { rpy }), ...(quaternion && { quaternion }) };
+      return {
+        ...doc,
+        robot: { ...doc.robot, tool: pose },
+        targets: targetsThere,
+        ...(tool && { activeTool: tool.id }),
+        ...(activeUser !== undefined && { activeUser }),
+      };
+    });
+}

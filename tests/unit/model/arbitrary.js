@@ -74,6 +74,7 @@ const anyRobotCommand = fc.oneof(
 );
 
 const anyIndex = fc.integer({ min: -1, max: 3 });
+const anyFrameName = fc.option(fc.constantFrom('user_1', 'table', 'tool_1', ''), { nil: undefined });
 const anyConfiguration = fc.option(fc.constantFrom('N U T, 0, 0, 0', '', 'x'.repeat(201)), { nil: undefined });
 
 /** Commands about the named targets. */
@@ -81,6 +82,7 @@ const anyTargetCommand = fc.oneof(
   fc.record({
     type: fc.constant(/** @type {const} */ ('add-target')),
     pose: anyPose,
+    frame: anyFrameName,
     configuration: anyConfiguration,
   }),
   fc.record({
@@ -92,11 +94,43 @@ const anyTargetCommand = fc.oneof(
     type: fc.constant(/** @type {const} */ ('edit-target')),
     index: anyIndex,
     pose: anyPose,
+    frame: anyFrameName,
     configuration: anyConfiguration,
     gesture: anyGesture,
   }),
   fc.record({ type: fc.constant(/** @type {const} */ ('move-target')), index: anyIndex, to: anyIndex }),
   fc.record({ type: fc.constant(/** @type {const} */ ('remove-target')), index: anyIndex }),
+);
+
+/** Commands about user frames and tools. */
+const anyFrameCommand = fc.oneof(
+  fc.record({ type: fc.constant(/** @type {const} */ ('add-frame')), kind: anyWordOf('user', 'tool'), pose: anyPose }),
+  fc.record({
+    type: fc.constant(/** @type {const} */ ('rename-frame')),
+    index: anyIndex,
+    id: fc.oneof(fc.constantFrom('tool_1', 'user_1', 'table', ''), fc.string()),
+  }),
+  fc.record({
+    type: fc.constant(/** @type {const} */ ('number-frame')),
+    index: anyIndex,
+    number: fc.constantFrom(undefined, 0, 1, 2, 1.5, 2e9, NaN),
+  }),
+  fc.record({
+    type: fc.constant(/** @type {const} */ ('edit-frame')),
+    index: anyIndex,
+    pose: anyPose,
+    gesture: anyGesture,
+  }),
+  fc.record({ type: fc.constant(/** @type {const} */ ('remove-frame')), index: anyIndex }),
+  fc.record(
+    {
+      type: fc.constant(/** @type {const} */ ('choose-tool')),
+      index: fc.option(anyIndex),
+      posture: fc.array(anyNumber, { minLength: 2, maxLength: 6 }),
+    },
+    { requiredKeys: ['type', 'index'] },
+  ),
+  fc.record({ type: fc.constant(/** @type {const} */ ('choose-user')), index: fc.option(anyIndex) }),
 );
 
 /** Sensible and senseless ones. @type {import('fast-check').Arbitrary<Action>} */
@@ -162,6 +196,7 @@ export const anyAction = fc.oneof(
   }),
   anyRobotCommand,
   anyTargetCommand,
+  anyFrameCommand,
   fc.constantFrom(...['undo', 'redo', 'end-gesture', 'cancel-gesture'].map((type) => /** @type {Action} */ ({ type }))),
   fc.record({
     type: fc.constant(/** @type {const} */ ('show')),

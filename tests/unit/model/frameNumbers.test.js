@@ -110,8 +110,9 @@ test('a right angle in a row leaves no dirt in its matrix', () => {
 
 test('a choice of frames is kept as long as the robot has them', () => {
   const { robot } = stand('planar2r');
-  expect(framesOf(robot)).toEqual(['tool', 'flange', 1, 2, 0, 'world']);
-  for (const frame of framesOf(robot)) {
+  expect(framesOf(robot, false)).toEqual(['tool', 'flange', 1, 2, 0, 'world']);
+  expect(framesOf(robot, true)).toEqual(['tool', 'flange', 1, 2, 0, 'user', 'world']);
+  for (const frame of framesOf(robot, true)) {
     const numbers = { ...FIRST_NUMBERS, frame, from: frame };
     expect(fitNumbers(numbers, robot)).toBe(numbers);
   }

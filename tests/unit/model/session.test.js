@@ -30,7 +30,7 @@ function tryTo(store, action) {
 }
 
 /** Written anew, from what a document promises. @param {import('../../../src/model/document.js').Doc} doc */
-function expectSound({ robot, posture, postures, targets }) {
+function expectSound({ robot, posture, postures, targets, frames, activeTool, activeUser }) {
   expect(posture).toHaveLength(robot.joints.length);
   for (const values of [posture, ...postures.map(({ q }) => q)]) expect(values.every(Number.isFinite)).toBe(true);
   for (const { theta, d, a, alpha, lower, upper } of robot.joints) {
@@ -39,7 +39,15 @@ function expectSound({ robot, posture, postures, targets }) {
   }
   expect(new Set(postures.map(({ id }) => id)).size).toBe(postures.length);
   expect(new Set(targets.map(({ id }) => id)).size).toBe(targets.length);
-  for (const { xyz, rpy, quaternion } of [robot.base, robot.tool, ...targets]) {
+  expect(new Set(frames.map(({ id }) => id)).size).toBe(frames.length);
+  const named = (/** @type {string} */ kind) => frames.filter((frame) => frame.kind === kind).map(({ id }) => id);
+  if (activeUser !== undefined) expect(named('user')).toContain(activeUser);
+  for (const { frame } of targets) if (frame !== undefined) expect(named('user')).toContain(frame);
+  if (activeTool !== undefined) {
+    expect(named('tool')).toContain(activeTool);
+    expect(frames.find(({ id }) => id === activeTool)).toMatchObject(robot.tool);
+  }
+  for (const { xyz, rpy, quaternion } of [robot.base, robot.tool, ...targets, ...frames]) {
     expect(xyz).toHaveLength(3);
     expect([...xyz, ...(rpy ?? []), ...(quaternion ?? [])].every(Number.isFinite)).toBe(true);
     expect(rpy === undefined || (rpy.length === 3 && quaternion === undefined)).toBe(true);

@@ -5,7 +5,7 @@
  * @import { Doc, RobotDoc, Units } from './document.js'
  * @import { CopySheet } from './copyText.js'
  * @import { FrameId } from './frameNumbers.js'
- * @import { OrientationForm } from './orientationForms.js'
+ * @import { OrientationForm } from './orientationNumbers.js'
  */
 import { isSliding } from './document.js';
 import { rowsOf } from './poseRows.js';
@@ -30,18 +30,20 @@ function inUnits(quantity, value, units) {
 const rowsIn = (T, units) =>
   rowsOf(T).map((row, i) => row.map((value, j) => (j === 3 && i < 3 ? inUnits('length', value, units) : value)));
 
-/** In words: "the tool", "frame 3". @param {FrameId} frame */
+/** @typedef {FrameId | 'target'} CopiedFrame */
+
+/** In words: "the tool", "frame 3". @param {CopiedFrame} frame */
 export function frameName(frame) {
   if (typeof frame === 'number') return frame === 0 ? 'base' : `frame ${frame}`;
   return frame;
 }
 
-/** @param {FrameId} frame */
+/** @param {CopiedFrame} frame */
 const idOf = (frame) => (typeof frame === 'number' ? (frame === 0 ? 'base' : `f${frame}`) : frame);
-/** @param {FrameId} frame */
+/** @param {CopiedFrame} frame */
 const texOf = (frame) => (typeof frame === 'number' && frame > 0 ? String(frame) : `\\mathrm{${idOf(frame)}}`);
 
-/** @typedef {{ robot: RobotDoc, frame: FrameId, from: FrameId, T: Float64Array, units: Units }} PosePlace */
+/** @typedef {{ robot: RobotDoc, frame: CopiedFrame, from: FrameId, T: Float64Array, units: Units }} PosePlace */
 
 /** @param {PosePlace} place */
 const factsOf = ({ robot, frame, from, units }) => ({

@@ -3,64 +3,23 @@
  * and angle, rotation vector, and the 24 sequences one by one. A form knows what its numbers are called, so that no triple
  * of angles is ever shown without its name.
  *
- * @import { Units } from './document.js'
+ * @import { Freedom, LengthFault, OrientationForm } from './orientationNumbers.js'
  * @import { EulerSequence } from '../kinematics/orientations/eulerAngles.js'
- *
- * @typedef {'locked' | 'noTurn' | 'halfTurn'} Freedom  why the numbers are not the only ones
- *
- * @typedef {object} Reading
- * @property {readonly number[]} values  as many as the form has labels, in document units
- * @property {Freedom | null} freedom
- * @property {0 | 2 | null} setToZero    the angle that was free, if it is locked
- *
- * @typedef {object} OrientationForm
- * @property {string} id
- * @property {'named' | 'other' | 'moving' | 'fixed'} group
- * @property {string} name              stands beside the numbers
- * @property {readonly string[]} labels of the numbers, in their order
- * @property {readonly ('angle' | 'none')[]} quantities
- * @property {string} [product]         of three turns: what is multiplied, the first factor about an axis of the fixed frame
- * @property {EulerSequence} [sequence]
- * @property {(T: Float64Array, units: Units) => Reading} read
  */
-import { axisAngleOf, rotationVectorOf } from '../kinematics/orientations/axisAngle.js';
+import {
+  axisAngleOf,
+  poseFromAxisAngle,
+  poseFromRotationVector,
+  rotationVectorOf,
+} from '../kinematics/orientations/axisAngle.js';
 import { EULER_SEQUENCES } from '../kinematics/orientations/eulerAngles.js';
 import { EULER_NAMES } from '../kinematics/orientations/eulerNames.js';
-import { quaternionOf } from '../kinematics/orientations/quaternion.js';
-import { eulerNumbers } from './eulerNumbers.js';
-import { fromKernel } from './units.js';
+import { poseFromQuaternion, quaternionOf } from '../kinematics/orientations/quaternion.js';
+import { WPR, angleForm as angles } from './angleForm.js';
+import { QUATERNION_TOLERANCE } from './documentRules.js';
+import { fromKernel, toKernel } from './units.js';
 
-/**
- * "Rz(A) · Ry(B) · Rx(C)"
- * @param {EulerSequence} sequence
- * @param {readonly string[]} labels
- */
-function productOf(sequence, labels) {
-  const turns = Array.from(sequence.toLowerCase(), (axis, i) => `R${axis}(${labels[i]})`);
-  return (sequence === sequence.toLowerCase() ? turns.reverse() : turns).join(' · ');
-}
-
-/**
- * @param {string} id
- * @param {OrientationForm['group']} group
- * @param {string} name
- * @param {EulerSequence} sequence
- * @param {readonly string[]} labels
- * @returns {OrientationForm}
- */
-const angles = (id, group, name, sequence, labels) => ({
-  id,
-  group,
-  name,
-  labels,
-  quantities: ['angle', 'angle', 'angle'],
-  sequence,
-  product: productOf(sequence, labels),
-  read(T, units) {
-    const { values, setToZero } = eulerNumbers(sequence, T, units);
-    return { values, setToZero, freedom: setToZero === null ? null : 'locked' };
-  },
-});
+const ORIGIN = [0, 0, 0];
 
 /** @param {string} id @param {string} name @param {readonly number[]} order @returns {OrientationForm} */
 const quaternion = (id, name, order) => ({
@@ -73,7 +32,27 @@ const quaternion = (id, name, order) => ({
     const xyzw = quaternionOf(T);
     return { values: order.map((k) => xyzw[k]), setToZero: null, freedom: null };
   },
+  write(values) {
+    const fault = lengthFault('quaternion', values, 4);
+    if (fault) return { T: null, fault };
+    const xyzw = [0, 0, 0, 0];
+    order.forEach((k, i) => (xyzw[k] = values[i]));
+    return { T: poseFromQuaternion(ORIGIN, xyzw), fault: null };
+  },
 });
+
+/**
+ * @param {LengthFault['of']} of
+ * @param {readonly number[]} values
+ * @param {number} count  the first so many are to have the length 1 together
+ * @returns {LengthFault | null}
+ */
+function lengthFault(of, values, count) {
+  const length = Math.hypot(...values.slice(0, count));
+  if (Math.abs(length - 1) <= QUATERNION_TOLERANCE) return null;
+  const mended = length > 0 ? values.map((value, i) => (i < count ? value / length : value)) : null;
+  return { of, length, mended };
+}
 
 /** @param {number} angle in [0, π] @returns {Freedom | null} */
 const freedomOf = (angle) => (angle === 0 ? 'noTurn' : angle === Math.PI ? 'halfTurn' : null);
@@ -89,6 +68,11 @@ const AXIS_ANGLE = {
     const { axis, angle } = axisAngleOf(T);
     return { values: [...axis, fromKernel('angle', angle, units)], setToZero: null, freedom: freedomOf(angle) };
   },
+  write(values, units) {
+    const fault = lengthFault('axis', values, 3);
+    if (fault) return { T: null, fault };
+    return { T: poseFromAxisAngle(ORIGIN, values.slice(0, 3), toKernel('angle', values[3], units)), fault: null };
+  },
 };
 
 /** @type {OrientationForm} */
@@ -103,6 +87,10 @@ const ROTATION_VECTOR = {
     const isHalf = axisAngleOf(T).angle === Math.PI;
     return { values: vector, setToZero: null, freedom: isHalf ? 'halfTurn' : null };
   },
+  write(values, units) {
+    const vector = values.map((value) => toKernel('angle', value, units));
+    return { T: poseFromRotationVector(ORIGIN, vector), fault: null };
+  },
 };
 
 const isMoving = (/** @type {EulerSequence} */ sequence) => sequence === sequence.toUpperCase();
@@ -110,7 +98,7 @@ const GREEK = ['α', 'β', 'γ']; // the first, the second and the third turn
 
 /** @type {readonly OrientationForm[]} */
 export const ORIENTATION_FORMS = [
-  angles('wpr', 'named', 'FANUC WPR', 'xyz', ['W', 'P', 'R']),
+  WPR,
   angles('abc', 'named', 'KUKA ABC', 'ZYX', ['A', 'B', 'C']),
   angles('rpy', 'named', 'URDF rpy', 'xyz', ['r', 'p', 'y']),
   angles('roll-pitch-yaw', 'named', 'Roll-pitch-yaw', 'xyz', ['roll', 'pitch', 'yaw']),

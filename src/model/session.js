@@ -33,6 +33,7 @@
  * @property {number | null} heldJoint  the joint whose slider is in the hand
  * @property {number | null} openJoint  the joint whose limits, home and link are open below the table
  * @property {readonly number[] | null} target  X Y Z W P R in document units; null while it follows the tool
+ * @property {string} targetForm  how it is written: the id of one of ORIENTATION_FORMS, or "matrix"
  * @property {AimAnswer | null} answer  what inverse kinematics said to the target
  * @property {{ readonly posture: readonly number[], readonly label: string } | null} ghost  where the arm would stand: a solution being looked at
  * @property {FramesShown} frames   of the scene; this and the next stay when another document is opened
@@ -44,6 +45,7 @@
  * @property {number | null} pointedLink  the joint that moves the link under the pointer
  * @property {JogChoices} jog  how the arm is jogged
  * @property {JacobianView} jacobian  which one is shown, and how
+ * @property {ToolKeeps} toolKeeps  what stays where it is when another tool is chosen
  * @property {NumbersView} numbers  how they are shown and copied
  * @property {number} edition   counts how often the document was exchanged for another (opened, undone), not edited
  *
@@ -74,6 +76,7 @@ const FRESH = {
   heldJoint: null,
   openJoint: null,
   target: null,
+  targetForm: 'wpr',
   answer: null,
   ghost: null,
   frames: 'ends',
@@ -137,11 +140,11 @@ function settle(state, history, next) {
   if (robot === old) return { ...next, session };
   const isOther = robot.name !== old.name && robot.joints !== old.joints; // a new name alone makes no other robot
   const sameShape = robot.joints.length === old.joints.length && robot.units === old.units && !isOther;
-  const { panel, tab, edition, frames, projection, handle, jog, jacobian, toolKeeps } = session;
+  const { panel, tab, edition, frames, projection, handle, jog, jacobian, targetForm, toolKeeps } = session;
   const openJoint = session.openJoint === null ? null : Math.min(session.openJoint, robot.joints.length - 1);
   const numbers = fitNumbers(session.numbers, robot);
-  const kept = { panel, tab, edition, frames, projection, handle, jog, jacobian, toolKeeps, openJoint, numbers };
-  return { ...next, session: sameShape ? { ...session, answer: null, ghost: null } : { ...FRESH, ...kept } };
+  const kept = { panel, tab, edition, frames, projection, handle, jog, jacobian, targetForm, toolKeeps };
+  return { ...next, session: sameShape ? { ...session, answer: null, ghost: null } : { ...FRESH, ...kept, openJoint, numbers } };
 }
 
 /** @param {AppState} state @param {AppState} before @returns {AppState} */

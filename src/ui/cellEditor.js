@@ -7,9 +7,8 @@
  * reads expressions it carries `aria-busy`; the event `settled` says that the wait is over. One that takes expressions
  * carries `data-takes`: `length` or `angle`.
  *
- * @import { Page } from './page.js'
+ * @import { Change, Page } from './page.js'
  * @import { Answer, Measure, Refused } from './numberText.js'
- * @import { Command } from '../model/commands.js'
  */
 import { attempt, newGesture } from './page.js';
 import { readNumber } from './numberText.js';
@@ -20,7 +19,7 @@ import { readTyped } from './typedNumber.js';
  * @param {Page} page
  * @param {HTMLInputElement} input
  * @param {object} behaviour
- * @param {(value: Value, text?: string) => Command} behaviour.command  what a typed number does; text: the expression it was
+ * @param {(value: Value, text?: string) => Change} behaviour.command  what a typed number does; text: the expression it was
  * @param {() => Measure} [behaviour.measure]  of a field that takes expressions, too
  * @param {(text: string) => Answer<Value>} [behaviour.read]  instead of plain numbers or, with a measure, expressions
  * @param {(value: Value) => string | null} [behaviour.check]  a reason against it beyond the command's own
@@ -30,7 +29,7 @@ import { readTyped } from './typedNumber.js';
  *   stands, and quietly why it will be refused; null when the typing is over
  * @param {() => string} behaviour.text    the document's number, to be edited
  * @param {() => string} behaviour.resting the document's number, as shown while nobody edits it
- * @param {() => Command} [behaviour.again]  what brings back what the document has now, where its text may be an expression
+ * @param {() => Change} [behaviour.again]  what brings back what the document has now, where its text may be an expression
  */
 export function editCell(page, input, { command, check, onDone, onReason, text, resting, ...behaviour }) {
   const read = behaviour.read ?? /** @type {NonNullable<typeof behaviour.read>} */ (reader(behaviour.measure));
@@ -39,7 +38,7 @@ export function editCell(page, input, { command, check, onDone, onReason, text, 
   /** @type {string | null} of the change that the typing has made so far */
   let gesture = null;
   let begun = '';
-  /** @type {Command | null} */
+  /** @type {Change | null} */
   let back = null;
   /** What waits for its answer; another thing waits when the text is another. @type {object | null} */
   let waiting = null;

@@ -2,7 +2,6 @@
  * Copying what the panel shows, and what it does not: a press copies again as the last time, the menu beside it says as what.
  *
  * @import { Page } from './page.js'
- * @import { PoseParts } from './poseParts.js'
  * @import { CopySheet, CopyFormat } from '../model/copyText.js'
  */
 import { KERNEL_UNITS } from '../model/copySheets.js';
@@ -18,14 +17,25 @@ import { NUMBERS } from './words/numbers.js';
 /** So long the button says that it has copied. */
 const DONE_SECONDS = 1.5;
 
-/** @typedef {'pose' | 'matrix' | 'links' | 'allLinks' | 'joints'} Copied */
+/**
+ * @template {string} Copied
+ * @typedef {object} Copying
+ * @property {(what: Copied) => CopySheet} sheetOf
+ * @property {() => Copied} main           what a press copies
+ * @property {readonly Copied[]} others    what the menu has besides; the main one is left out
+ * @property {Record<Copied, string>} names   "the pose"
+ * @property {Partial<Record<Copied, string>>} titles  "The pose"
+ * @property {string} title                of the button
+ */
 
 /**
+ * @template {string} Copied
  * @param {Page} page
- * @param {PoseParts} parts
- * @param {(what: Copied) => CopySheet} sheetOf
+ * @param {{ copy: HTMLButtonElement, copyMore: HTMLButtonElement }} parts
+ * @param {Copying<Copied>} copying
  */
-export function runCopyMenu({ store, announce, messages, clock }, { copy, copyMore }, sheetOf) {
+export function runCopyMenu({ store, announce, messages, clock }, { copy, copyMore }, copying) {
+  const { sheetOf, main, others, names, titles, title } = copying;
   const numbers = () => store.state.session.numbers;
   /** @param {Partial<ReturnType<typeof numbers>>} change */
   const choose = (change) => store.dispatch({ type: 'show', change: { numbers: { ...numbers(), ...change } } });
@@ -39,36 +49,38 @@ export function runCopyMenu({ store, announce, messages, clock }, { copy, copyMo
       messages.warn(TEXT.pose.copyFailed);
       return;
     }
-    announce(NUMBERS.copied(NUMBERS.what[what], NUMBERS.format[format]));
+    announce(NUMBERS.copied(names[what], NUMBERS.format[format]));
     fill(copy, icon('check'));
-    copy.title = NUMBERS.copied(NUMBERS.what[what], NUMBERS.format[format]);
+    copy.title = NUMBERS.copied(names[what], NUMBERS.format[format]);
     cancel();
     cancel = clock.after(DONE_SECONDS, () => {
       fill(copy, icon('copy'));
-      copy.title = TEXT.pose.copy;
+      copy.title = title;
     });
   }
 
-  copy.addEventListener('click', () => void carryOut(numbers().tab));
+  copy.addEventListener('click', () => void carryOut(main()));
   addMenu(copyMore, () => {
-    const { tab, format, isKernelUnits } = numbers();
+    const { format, isKernelUnits } = numbers();
+    const first = main();
     const { length, angle } = store.state.doc.robot.units;
-    const others = /** @type {const} */ (['pose', 'matrix', 'joints', 'allLinks']).filter((what) => what !== tab);
     return [
       {
-        heading: NUMBERS.copyAs(NUMBERS.what[tab]),
+        heading: NUMBERS.copyAs(names[first]),
         items: COPY_FORMATS.map((/** @type {CopyFormat} */ name) => ({
           title: NUMBERS.format[name],
           isChosen: name === format,
           run() {
             choose({ format: name });
-            void carryOut(tab);
+            void carryOut(first);
           },
         })),
       },
       {
         heading: NUMBERS.copyAlso(NUMBERS.format[format]),
-        items: others.map((what) => ({ title: NUMBERS.also[what], run: () => void carryOut(what) })),
+        items: others
+          .filter((what) => what !== first)
+          .map((what) => ({ title: titles[what] ?? names[what], run: () => void carryOut(what) })),
       },
       {
         heading: NUMBERS.unitsOf,

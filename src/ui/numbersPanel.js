@@ -4,18 +4,17 @@
  *
  * @import { Page } from './page.js'
  * @import { PoseParts } from './poseParts.js'
- * @import { Copied } from './copyMenu.js'
  * @import { Doc } from '../model/document.js'
  * @import { AppState } from '../model/session.js'
  * @import { CopySheet } from '../model/copyText.js'
  * @import { FrameId } from '../model/frameNumbers.js'
- * @import { OrientationForm, Reading } from '../model/orientationForms.js'
+ * @import { OrientationForm, Reading } from '../model/orientationNumbers.js'
  */
 import './css/numbers.css';
 import { jointsSheet, KERNEL_UNITS, linksSheet, matrixSheet, poseSheet } from '../model/copySheets.js';
 import { frameSeenFrom, framesOf, linkFramesOf } from '../model/frameNumbers.js';
 import { memo } from '../model/memo.js';
-import { ORIENTATION_FORMS, orientationForm, usersOf } from '../model/orientationForms.js';
+import { orientationForm } from '../model/orientationForms.js';
 import { rowsOf } from '../model/poseRows.js';
 import { fromKernel } from '../model/units.js';
 import { together } from '../model/views.js';
@@ -24,6 +23,7 @@ import { fill, h } from './dom.js';
 import { fixed, poseNumber, unitSign } from './format.js';
 import { createLinksView } from './linksView.js';
 import { createMatrix, matrixTexts } from './matrixView.js';
+import { formSection } from './formMenu.js';
 import { addMenu } from './poseMenu.js';
 import { createPoseGrid } from './poseGrid.js';
 import { TEXT } from './strings.js';
@@ -93,15 +93,8 @@ export function runNumbersPanel(page, parts) {
   addMenu(parts.form, () => {
     const { form: chosen, tab: open } = numbers();
     /** @param {OrientationForm['group']} group */
-    const section = (group) => ({
-      heading: NUMBERS.group[group],
-      items: ORIENTATION_FORMS.filter((form) => form.group === group).map((form) => ({
-        title: form.name,
-        detail: detailOf(form),
-        isChosen: open === 'pose' && form.id === chosen,
-        run: () => choose({ form: form.id, tab: 'pose' }),
-      })),
-    });
+    const section = (group) =>
+      formSection(group, open === 'pose' ? chosen : null, (form) => choose({ form, tab: 'pose' }));
     const whole = {
       heading: NUMBERS.group.whole,
       items: /** @type {const} */ (['matrix', 'links']).map((tab) => ({
@@ -115,7 +108,7 @@ export function runNumbersPanel(page, parts) {
   for (const tab of parts.tabs)
     tab.addEventListener('click', () => choose({ tab: /** @type {'pose' | 'matrix' | 'links'} */ (tab.dataset.ask) }));
 
-  /** @param {Copied} what @returns {CopySheet} */
+  /** @param {'pose' | 'matrix' | 'links' | 'allLinks' | 'joints'} what @returns {CopySheet} */
   function sheetOf(what) {
     const { doc } = store.state;
     const { robot } = doc;
@@ -127,7 +120,14 @@ export function runNumbersPanel(page, parts) {
     if (what === 'joints') return jointsSheet(doc, units);
     return linksSheet(robot, what === 'links' ? links.shown() : links.all(), units);
   }
-  runCopyMenu(page, parts, sheetOf);
+  runCopyMenu(page, parts, {
+    sheetOf,
+    main: () => numbers().tab,
+    others: ['pose', 'matrix', 'joints', 'allLinks'],
+    names: NUMBERS.what,
+    titles: NUMBERS.also,
+    title: TEXT.pose.copy,
+  });
 
   addView(
     together(({ doc, session }) => [session.numbers, doc.activeUser]),
@@ -197,11 +197,4 @@ export function runNumbersPanel(page, parts) {
       say(freedomInWords(form, reading));
     },
   );
-}
-
-/** @param {OrientationForm} form */
-function detailOf(form) {
-  if (!form.product) return /** @type {Record<string, string>} */ (NUMBERS.formDetail)[form.id];
-  const users = form.group === 'moving' || form.group === 'fixed' ? usersOf(form) : [];
-  return [form.product, ...users].join('; ');
 }

@@ -11,6 +11,8 @@
  * @import { Store } from '../model/store.js'
  * @import { AddView } from '../model/views.js'
  *
+ * @typedef {Command | Extract<Action, { type: 'show' }>} Change  of the document, or of what the session looks at
+ *
  * @typedef {object} Page
  * @property {Store<AppState, Action>} store
  * @property {AddView<AppState>} addView
@@ -56,15 +58,15 @@ export function step({ store, announce }, type) {
 }
 
 /**
- * Carry out a command, unless there is something against it.
+ * Carry out a command, unless there is something against it; nothing is ever against looking at something.
  * @param {Page} page
- * @param {Command & { gesture?: string }} command
+ * @param {Change & { gesture?: string }} change
  * @returns {string | null} the reason why not, in a sentence
  */
-export function attempt({ store }, command) {
-  const reason = refusal(store.state.doc, command);
+export function attempt({ store }, change) {
+  const reason = change.type === 'show' ? null : refusal(store.state.doc, change);
   if (reason) return reason.message;
-  store.dispatch(command);
+  store.dispatch(change);
   return null;
 }
 

@@ -3,29 +3,25 @@
  * what is shown, and never the document; the document keeps what was typed.
  *
  * @import { Page } from './page.js'
- * @import { Command } from '../model/commands.js'
  * @import { CellEditor } from './cellEditor.js'
  * @import { PoseDoc } from '../model/document.js'
  * @import { Notation } from '../model/orientationNotation.js'
- * @import { Reasons } from './reasons.js'
  */
 import { isNoPose } from '../model/noPose.js';
 import { NOTATIONS, orientationOf, withOrientation } from '../model/orientationNotation.js';
 import { identityPose } from '../model/document.js';
 import { together } from '../model/views.js';
 import { captioned, captionedSelect, select, textInput } from './captioned.js';
-import { editCell } from './cellEditor.js';
 import './css/robotDetails.css';
 import { fill, h } from './dom.js';
-import { compact, copyable, editable, plain, unitSign } from './format.js';
-import { readNumber } from './numberText.js';
+import { plain, unitSign } from './format.js';
+import { numberField } from './numberField.js';
 import { attempt } from './page.js';
 import { createReasons } from './reasons.js';
+import { severalField } from './severalField.js';
 import { TEXT } from './strings.js';
-import { editText } from './textEditor.js';
 import { DETAILS } from './words/robotDetails.js';
 
-const WIDEST = 9;
 const LENGTH_OF_QUATERNION = 4;
 
 /**
@@ -94,28 +90,22 @@ export function createPoseEditor(page, host, which) {
   function build() {
     const { length, angle } = robot().units;
     const shiftFields = [0, 1, 2].map((k) =>
-      numberField(page, reasons, {
+      captionedField(h('b', { class: `axis-${'xyz'[k]}` }, 'XYZ'[k]), unitSign(length), {
         quantity: 'length',
-        caption: h('b', { class: `axis-${'xyz'[k]}` }, 'XYZ'[k]),
         label: DETAILS.shift(what, 'XYZ'[k], TEXT.table.unitName[length]),
-        unit: unitSign(length),
         value: () => pose().xyz[k],
         command: (value) => command({ ...pose(), xyz: pose().xyz.with(k, value) }),
-        again: () => command(pose()),
       }),
     );
     const angleFields =
       notation === 'quaternion'
         ? [quaternionField()]
         : DETAILS.angles[notation].map((name, k) =>
-            numberField(page, reasons, {
+            captionedField(name, unitSign(angle), {
               quantity: 'angle',
-              caption: name,
               label: DETAILS.shift(what, name, TEXT.table.unitName[angle]),
-              unit: unitSign(angle),
               value: () => numbers()[k],
               command: (value) => turned(numbers().with(k, value)),
-              again: () => command(pose()),
             }),
           );
     editors = [...shiftFields, ...angleFields].map(({ editor }) => editor);
@@ -125,33 +115,38 @@ export function createPoseEditor(page, host, which) {
     notationSelect.value = notation;
   }
 
+  /**
+   * @param {Node | string} caption
+   * @param {string} unit
+   * @param {Pick<Parameters<typeof numberField>[2], 'quantity' | 'label' | 'value' | 'command'>} given
+   */
+  function captionedField(caption, unit, given) {
+    const again = () => command(pose());
+    const { input, editor } = numberField(page, reasons, { ...given, again, done: DETAILS.set });
+    return { element: captioned(caption, input, unit), editor };
+  }
+
   /** Four numbers in one field, since one of them alone is no orientation. */
   function quaternionField() {
-    const input = textInput({ 'aria-label': DETAILS.quaternion(what) });
-    const scale = h('button', { type: 'button', class: 'btn btn-small btn-outline', hidden: true }, DETAILS.scale);
     const text = () => numbers().map(plain).join('  ');
-    const editor = editText(page, input, {
-      text,
-      read(typedText) {
-        const read = readFour(typedText);
-        return 'reason' in read ? read : { command: turned(read.numbers) };
+    const { input, button, editor } = severalField(
+      page,
+      reasons,
+      textInput({ 'aria-label': DETAILS.quaternion(what) }),
+      {
+        counts: [LENGTH_OF_QUATERNION],
+        wrongCount: DETAILS.fourNumbers,
+        text,
+        take: (wanted) => ({ command: turned(wanted) }),
+        mend(wanted) {
+          const length = Math.hypot(...wanted);
+          return length === 0 ? null : wanted.map((value) => value / length);
+        },
+        mendLabel: DETAILS.scale,
+        done: () => DETAILS.set(DETAILS.notation.quaternion, text()),
       },
-      onReason(reason) {
-        reasons.set(input, reason);
-        const read = readFour(input.value);
-        scale.hidden = reason === null || 'reason' in read || Math.hypot(...read.numbers) === 0;
-      },
-      onDone: () => DETAILS.set(DETAILS.notation.quaternion, text()),
-    });
-    scale.addEventListener('click', () => {
-      const read = readFour(input.value);
-      if ('reason' in read) return;
-      const length = Math.hypot(...read.numbers);
-      input.focus(); // the button goes with the reason
-      editor.type(copyable(read.numbers.map((value) => value / length)));
-    });
-    const element = h('div', { class: 'quaternion' }, captioned('x  y  z  w', input), scale);
-    return { element, editor };
+    );
+    return { element: h('div', { class: 'quaternion' }, captioned('x  y  z  w', input), button), editor };
   }
 
   function refresh() {
@@ -175,50 +170,4 @@ export function createPoseEditor(page, host, which) {
       refresh();
     },
   );
-}
-
-/**
- * @param {Page} page
- * @param {Reasons} reasons
- * @param {object} given
- * @param {'length' | 'angle'} given.quantity
- * @param {Node | string} given.caption
- * @param {string} given.label
- * @param {string} given.unit
- * @param {() => number} given.value
- * @param {(value: number) => Command} given.command
- * @param {() => Command} given.again  what brings back what the document has now
- */
-function numberField(page, reasons, { quantity, caption, label, unit, value, command, again }) {
-  const input = textInput({ 'aria-label': label });
-  const editor = editCell(page, input, {
-    measure: () => ({ quantity, units: page.store.state.doc.robot.units }),
-    command,
-    again,
-    onDone: () => DETAILS.set(label, editable(value())),
-    onReason: (reason, refused) => reasons.set(input, reason, refused, (way) => editor.settle(way)),
-    text: () => editable(value()),
-    resting() {
-      const { text, isRounded } = compact(value(), WIDEST);
-      input.title = isRounded ? plain(value()) : '';
-      return text;
-    },
-  });
-  return { element: captioned(caption, input, unit), editor };
-}
-
-/** @param {string} text @returns {{ numbers: number[] } | { reason: string }} */
-function readFour(text) {
-  const parts = text
-    .trim()
-    .split(/[\s,;]+/)
-    .filter(Boolean);
-  if (parts.length !== LENGTH_OF_QUATERNION) return { reason: DETAILS.fourNumbers(parts.length) };
-  const numbers = [];
-  for (const part of parts) {
-    const { value, reason } = readNumber(part);
-    if (reason !== null) return { reason };
-    numbers.push(value);
-  }
-  return { numbers };
 }

@@ -2,8 +2,7 @@
  * The life of a text while it is typed: nothing follows before it is done. Enter or leaving the field makes it one undo
  * step, Escape restores it, a refused text stays to be mended.
  *
- * @import { Page } from './page.js'
- * @import { Command } from '../model/commands.js'
+ * @import { Change, Page } from './page.js'
  */
 import { attempt } from './page.js';
 
@@ -12,11 +11,12 @@ import { attempt } from './page.js';
  * @param {HTMLInputElement | HTMLTextAreaElement} input
  * @param {object} behaviour
  * @param {() => string} behaviour.text  the document's
- * @param {(text: string) => { command: Command } | { reason: string }} behaviour.read
+ * @param {() => string} [behaviour.resting]  while nobody edits it, where that is another
+ * @param {(text: string) => { command: Change } | { reason: string }} behaviour.read
  * @param {(reason: string | null) => void} behaviour.onReason
  * @param {() => string} behaviour.onDone  the outcome in words, for a screen reader
  */
-export function editText(page, input, { text, read, onReason, onDone }) {
+export function editText(page, input, { text, resting = text, read, onReason, onDone }) {
   const isRefused = () => input.getAttribute('aria-invalid') === 'true';
 
   /** @param {string | null} reason */
@@ -36,8 +36,22 @@ export function editText(page, input, { text, read, onReason, onDone }) {
     if (reason === null) input.value = text();
   }
 
+  /** What stands there unless a person is typing: all of it where the focus is. */
+  function show() {
+    const wanted = document.activeElement === input ? text() : resting();
+    if (input.value !== wanted) input.value = wanted;
+  }
+
+  input.addEventListener('focus', () => {
+    if ('editing' in input.dataset || isRefused() || input.value === text()) return;
+    input.value = text();
+    input.select();
+  });
   input.addEventListener('input', () => void (input.dataset.editing = ''));
-  input.addEventListener('blur', commit);
+  input.addEventListener('blur', () => {
+    commit();
+    if (!isRefused()) input.value = resting();
+  });
   input.addEventListener('keydown', (event) => {
     if (!(event instanceof KeyboardEvent)) return;
     if (event.key === 'Enter' && !(input instanceof HTMLTextAreaElement)) commit();
@@ -52,7 +66,7 @@ export function editText(page, input, { text, read, onReason, onDone }) {
     /** The document changed: show its text, unless a person is typing or a refused text is still to be mended. */
     refresh() {
       if ('editing' in input.dataset || isRefused()) return;
-      if (input.value !== text()) input.value = text();
+      show();
     },
     /** The document was exchanged for another. */
     forget() {

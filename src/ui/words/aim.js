@@ -3,6 +3,10 @@
 export const AIM = {
   title: 'Target',
   field: (/** @type {string} */ name, /** @type {string} */ unit) => `Target ${name}, ${unit}`,
+  set: (/** @type {string} */ name, /** @type {string} */ value) => `${name}: ${value}`,
+  copy: 'Copy the target',
+  paste: 'Paste…',
+  helpers: 'Turn it',
   move: 'Move there',
   follow: 'Take the tool pose',
   nearest: 'Go as near as found',

@@ -45,7 +45,7 @@ function rodrigues([x, y, z], degrees) {
   return K.map((row, i) => row.map((value, j) => (i === j ? 1 : 0) + s * value + v * K2[i][j]));
 }
 
-/** What a form's own words make of its numbers. @param {import('../../../src/model/orientationForms.js').OrientationForm} form @param {readonly number[]} values */
+/** What a form's own words make of its numbers. @param {import('../../../src/model/orientationNumbers.js').OrientationForm} form @param {readonly number[]} values */
 function rotationBy({ id, product, labels }, values) {
   const byName = Object.fromEntries(labels.map((label, k) => [label, values[k]]));
   if (product)
@@ -67,6 +67,9 @@ function rotationBy({ id, product, labels }, values) {
 const poseOf = (R) =>
   Float64Array.from({ length: 16 }, (_, k) => (k % 4 < 3 && k < 12 ? R[k % 4][k >> 2] : +(k === 15)));
 
+/** @param {Float64Array} T */
+const rowsOf3 = (T) => [0, 1, 2].map((i) => [0, 1, 2].map((j) => T[4 * j + i]));
+
 const anyAngle = fc.oneof(fc.double({ min: -360, max: 360, noNaN: true }), fc.constantFrom(0, 90, -90, 180, 45));
 const anyRotation = fc
   .tuple(anyAngle, anyAngle, anyAngle)
@@ -82,6 +85,13 @@ describe.each(ORIENTATION_FORMS.map((form) => [form.name, form]))('%s', (_, form
       expect(values).toHaveLength(form.labels.length);
       expect(form.quantities).toHaveLength(form.labels.length);
       expect(apart(rotationBy(form, values), R)).toBeLessThan(2e-7 ** (form.group === 'other' ? 1 : 2));
+    }));
+
+  test('takes its numbers back as its own formula does', () =>
+    property(anyRotation, (R) => {
+      const { values } = form.read(poseOf(R), DEG);
+      const { T } = form.write(values, DEG);
+      expect(T && apart(rowsOf3(T), rotationBy(form, values))).toBeLessThan(1e-12);
     }));
 });
 
@@ -138,4 +148,28 @@ test('who else writes a sequence is known by name', () => {
   expect(usersOf(orientationForm('zyz-euler'))).toContain('Kawasaki O A T');
   expect(usersOf(orientationForm('wpr'))).not.toContain('FANUC W P R');
   expect(usersOf(orientationForm('xyzw'))).toEqual([]);
+});
+
+test('a quaternion or an axis that is not of length 1 is refused, with its length and what it would be', () => {
+  for (const [id, values, length, mended] of /** @type {const} */ ([
+    ['xyzw', [0, 0, 3, 4], 5, [0, 0, 0.6, 0.8]],
+    ['wxyz', [0, 0, 3, 4], 5, [0, 0, 0.6, 0.8]],
+    ['axis-angle', [0, 3, 4, 90], 5, [0, 0.6, 0.8, 90]],
+  ])) {
+    const { T, fault } = orientationForm(id).write(values, DEG);
+    expect(T).toBeNull();
+    expect([fault?.length, fault?.mended]).toEqual([length, mended]);
+    expect(orientationForm(id).write(mended, DEG).fault).toBeNull();
+  }
+  expect(orientationForm('xyzw').write([0, 0, 0, 0], DEG).fault).toEqual({ of: 'quaternion', length: 0, mended: null });
+  expect(orientationForm('xyzw').write([0, 0, 0.70711, 0.70711], DEG).fault?.length).toBeCloseTo(1.0000046, 6);
+});
+
+test('the scalar of a quaternion stands where the form says', () => {
+  const [last, first] = [
+    orientationForm('xyzw').write([0, 0, Math.SQRT1_2, Math.SQRT1_2], DEG).T,
+    orientationForm('wxyz').write([Math.SQRT1_2, 0, 0, Math.SQRT1_2], DEG).T,
+  ];
+  expect(first).toEqual(last);
+  expect(last && apart(rowsOf3(last), turn('z', 90))).toBeLessThan(1e-15);
 });

@@ -1,0 +1,67 @@
+/**
+ * What the target panel offers beyond typing: the form of its numbers, copying, pasting, and the helpers. Fetched when one of
+ * them is first asked for.
+ *
+ * @import { Page } from './page.js'
+ * @import { TargetFields } from './targetFields.js'
+ * @import { TargetParts } from './targetParts.js'
+ */
+import './css/target.css';
+import { poseFromXyzwpr } from '../model/aim.js';
+import { KERNEL_UNITS, matrixSheet, poseSheet } from '../model/copySheets.js';
+import { orientationForm } from '../model/orientationForms.js';
+import { runCopyMenu } from './copyMenu.js';
+import { formSection } from './formMenu.js';
+import { addMenu } from './poseMenu.js';
+import { TEXT } from './strings.js';
+import { MATRIX, targetForm } from './targetForms.js';
+import { NUMBERS } from './words/numbers.js';
+import { TARGET } from './words/target.js';
+
+/**
+ * @param {Page} page
+ * @param {TargetParts} parts
+ * @param {TargetFields} fields
+ */
+export function runTargetMenus(page, parts, fields) {
+  const { store, addView, announce } = page;
+  const chosen = () => store.state.session.targetForm;
+
+  /** @param {string} id */
+  function choose(id) {
+    store.dispatch({ type: 'show', change: { targetForm: id } });
+    announce(TARGET.form.now(targetForm(id).name));
+  }
+  addMenu(parts.form, () => {
+    const now = chosen();
+    const section = (/** @type {'named' | 'other' | 'moving' | 'fixed'} */ group) => formSection(group, now, choose);
+    const matrix = { title: TARGET.matrix, isChosen: now === MATRIX, run: () => choose(MATRIX) };
+    const whole = { heading: NUMBERS.group.whole, items: [matrix] };
+    return [section('named'), section('other'), whole, section('moving'), section('fixed')];
+  });
+  addView(
+    ({ session }) => session.targetForm,
+    (id) => {
+      const form = targetForm(id);
+      parts.formText.textContent = form.name;
+      parts.form.title = form.title;
+      fields.choose(form);
+    },
+  );
+
+  runCopyMenu(page, parts, {
+    /** @param {'pose' | 'matrix'} what */
+    sheetOf(what) {
+      const { robot } = store.state.doc;
+      const units = store.state.session.numbers.isKernelUnits ? KERNEL_UNITS : robot.units;
+      const T = poseFromXyzwpr(robot, fields.target(store.state));
+      const place = /** @type {const} */ ({ robot, frame: 'target', from: 'world', T, units });
+      return what === 'matrix' ? matrixSheet(place) : poseSheet(place, orientationForm(chosen()));
+    },
+    main: () => (chosen() === MATRIX ? 'matrix' : 'pose'),
+    others: ['pose', 'matrix'],
+    names: TARGET.copied,
+    titles: TARGET.copyOther,
+    title: TEXT.aim.copy,
+  });
+}

@@ -1,0 +1,55 @@
+/** The target panel's own elements, which stay whatever they show. */
+import { h } from './dom.js';
+import { icon } from './icons.js';
+import { TEXT } from './strings.js';
+
+export function createTargetParts() {
+  const caret = () => icon('caret', 'caret');
+  /** @param {string} ask @param {string} name @param {string} className @param {...Node} content */
+  const button = (ask, name, className, ...content) =>
+    h(
+      'button',
+      { type: 'button', class: `btn ${className}`, 'data-ask': ask, 'aria-label': name, title: name },
+      content,
+    );
+  const formText = h('span', {}, TEXT.pose.convention);
+  const form = h(
+    'button',
+    { type: 'button', class: 'btn quiet soft', 'data-ask': 'form', title: TEXT.pose.conventionDetail },
+    formText,
+    caret(),
+  );
+  const copy = button('copy', TEXT.aim.copy, 'btn-icon', icon('copy'));
+  const copyMore = button('copyMore', TEXT.pose.copyMore, 'split', caret());
+  const paste = h('button', { type: 'button', class: 'btn btn-small', 'data-ask': 'paste' }, TEXT.aim.paste);
+  const helpers = h(
+    'button',
+    { type: 'button', class: 'btn btn-small', 'data-ask': 'helpers' },
+    TEXT.aim.helpers,
+    caret(),
+  );
+  const follow = h(
+    'button',
+    { type: 'button', class: 'btn btn-icon', 'aria-label': TEXT.aim.follow, title: TEXT.aim.follow },
+    icon('crosshair'),
+  );
+  /** @param {Element} one */
+  const dropdown = (one) => h('div', { class: 'dropdown' }, one);
+  return {
+    ...{ form, formText, copy, copyMore, paste, helpers, follow },
+    header: h(
+      'header',
+      {},
+      h('h2', {}, TEXT.aim.title),
+      h('span', { class: 'soft' }, TEXT.pose.frame),
+      h('span', { class: 'grow' }),
+      h('div', { class: 'split-pair' }, copy, dropdown(copyMore)),
+      follow,
+    ),
+    bar: h('div', { class: 'pose-bar' }, h('span', { class: 'grow' }), dropdown(form)),
+    /** Where the text to paste, and the point to look at, are typed. */
+    apart: h('div', { class: 'aim-apart' }),
+  };
+}
+
+/** @typedef {ReturnType<typeof createTargetParts>} TargetParts */

@@ -133,7 +133,7 @@ function variableCell(raw, variable) {
   if (variable && ALONE.test(raw)) return { raw, text: '0', fault: null };
   const rest = variable ? raw.replace(variable, '').trim() : raw.trim();
   if (variable && /[-−]\s*$/.test(rest)) return { raw, text: '', fault: 'minus' };
-  const text = variable ? rest.replace(/^\+\s*|\s*\+$/g, '').trim() || '0' : rest;
+  const text = variable ? rest.replace(/^\+\s*|\s*\+$|(?<=^[-−])\s+/g, '').trim() || '0' : rest;
   if (/^[-−–—]$/.test(text)) return { raw, text: '', fault: null };
   const strange = /\p{L}/u.test(text.replace(NUMBER_WORDS, '').replace(/π/g, ''));
   return { raw, text, fault: strange ? 'symbol' : null };

@@ -13,7 +13,7 @@
  */
 import { fill, h } from './dom.js';
 import { icon } from './icons.js';
-import { giveMenu } from './menus.js';
+import { giveMenu, placeMenu } from './menus.js';
 
 /**
  * @param {HTMLButtonElement} button
@@ -45,7 +45,9 @@ export function withChoices(button, choices, { className = '', inset = 0 } = {})
 
 /** What the choices of an open menu wait for has come: show them anew. @param {HTMLButtonElement} button */
 export function refill(button) {
-  if (button.getAttribute('aria-expanded') === 'true') button.dispatchEvent(new CustomEvent('show.bs.dropdown'));
+  if (button.getAttribute('aria-expanded') !== 'true') return;
+  button.dispatchEvent(new CustomEvent('show.bs.dropdown'));
+  placeMenu(button);
 }
 
 /** @param {Choice} choice */

@@ -10,6 +10,9 @@ let plugin = null;
 
 const fetchPlugin = async () => (plugin ??= (await import('bootstrap/js/src/dropdown.js')).default);
 
+/** An open menu has other items now: it finds its place anew. @param {HTMLButtonElement} button */
+export const placeMenu = (button) => plugin?.getInstance(button)?.update();
+
 /**
  * @param {HTMLButtonElement} button  in the same element as its `.dropdown-menu`
  * @param {[number, number]} [offset]  of the menu from the button, px

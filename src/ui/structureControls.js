@@ -5,6 +5,7 @@
  */
 import { refusal } from '../model/refusals.js';
 import { createConventionMenu } from './conventionMenu.js';
+import { createCopyTableMenu } from './copyTableMenu.js';
 import { h } from './dom.js';
 import { icon } from './icons.js';
 import { attempt } from './page.js';
@@ -64,7 +65,7 @@ export function createStructureControls(page) {
       order,
       createUnitsMenu(page, 'phone-only'),
     ),
-    foot: h('div', { class: 'table-foot' }, add, reason, note),
+    foot: h('div', { class: 'table-foot' }, add, createCopyTableMenu(page, say), reason, note),
     say,
   };
 }

@@ -62,6 +62,10 @@ test('what is seen is what is copied, in the language that was chosen last', asy
   );
   await choose(page, 'copyMore', 'The joint values');
   await expect.poll(async () => JSON.parse(await copied(page)).q?.values).toEqual([10, 45, -170, 20, 35, 30]);
+  await page.getByRole('button', { name: 'Copy table' }).click();
+  await page.getByRole('button', { name: 'Markdown' }).click();
+  await expect(page.locator('.table-foot .note')).toHaveText('Copied the table as Markdown.');
+  expect(await copied(page)).toContain('| 2 | q2 | 0 | 431.8 | 0 | -45 deg | 225 deg |');
   await page.getByRole('button', { name: 'Link transforms', exact: true }).click();
   await page.getByRole('group', { name: 'Link' }).getByRole('button').nth(1).click();
   await expect(page.locator('.link-values')).toContainText('431.80 mm');

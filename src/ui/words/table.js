@@ -32,6 +32,7 @@ export const TABLE = {
   waitsPlainly: (/** @type {string} */ value) => `It stays at ${value} until this is settled.`,
   loading: '…',
   paste: 'Paste table',
+  copy: 'Copy table',
   takeBack: 'Take back',
   escape: 'Esc',
   disagrees: (/** @type {string} */ text) =>

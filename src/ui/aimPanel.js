@@ -38,9 +38,20 @@ export function createAimPanel(page, host) {
   );
   fill(host, parts.header, parts.bar, form);
   const fields = createTargetFields(page, numbers);
-  whenAsked(page, host, async () => {
+  const fetchMenus = whenAsked(page, host, async () => {
     const { runTargetMenus } = await import('./targetMenus.js');
-    runTargetMenus(page, parts, fields);
+    return runTargetMenus(page, parts, fields);
+  });
+  // A whole pose that is pasted into one of the fields is looked at first.
+  numbers.addEventListener('paste', async (event) => {
+    const text = event.clipboardData?.getData('text') ?? '';
+    if (!isWholePose(text, event.target)) return;
+    event.preventDefault();
+    try {
+      (await fetchMenus()).openPaste(text);
+    } catch (error) {
+      page.messages.fault(error);
+    }
   });
   const fold = foldMaker(page.clock, page.messages.fault);
   const solutions = fold('fold-solutions', async (body) => {
@@ -115,21 +126,30 @@ export function createAimPanel(page, host) {
   );
 }
 
+/** More than the field itself can take. @param {string} text @param {EventTarget | null} field */
+function isWholePose(text, field) {
+  const takesSeveral = field instanceof HTMLElement && field.closest('.aim-several') && /^[-−+\d\s.,;e]+$/.test(text);
+  return !takesSeveral && text.split(/[\s,;:=]+/).filter((part) => /\d/.test(part)).length >= 3;
+}
+
 /**
  * What a button asks for is fetched when the hand comes near it; the first press of one waits for it and is then made again.
+ * @template Tools
  * @param {Page} page
  * @param {HTMLElement} host
- * @param {() => Promise<void>} fetchIt
+ * @param {() => Promise<Tools>} fetchIt
+ * @returns {() => Promise<Tools>}
  */
 function whenAsked({ messages }, host, fetchIt) {
-  /** @type {Promise<void> | null} */
+  /** @type {Promise<Tools> | null} */
   let fetched = null;
   let isHere = false;
   /** What failed to come once may come the next time. */
   const start = () =>
     (fetched ??= fetchIt().then(
-      () => {
+      (tools) => {
         isHere = true;
+        return tools;
       },
       (error) => {
         fetched = null;
@@ -147,4 +167,5 @@ function whenAsked({ messages }, host, fetchIt) {
       messages.fault(error);
     }
   });
+  return start;
 }

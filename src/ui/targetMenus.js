@@ -11,10 +11,13 @@ import { poseFromXyzwpr } from '../model/aim.js';
 import { KERNEL_UNITS, matrixSheet, poseSheet } from '../model/copySheets.js';
 import { orientationForm } from '../model/orientationForms.js';
 import { runCopyMenu } from './copyMenu.js';
+import { fill } from './dom.js';
 import { formSection } from './formMenu.js';
 import { addMenu } from './poseMenu.js';
 import { TEXT } from './strings.js';
 import { MATRIX, targetForm } from './targetForms.js';
+import { createTargetHelp } from './targetHelp.js';
+import { createTargetPaste } from './targetPaste.js';
 import { NUMBERS } from './words/numbers.js';
 import { TARGET } from './words/target.js';
 
@@ -64,4 +67,25 @@ export function runTargetMenus(page, parts, fields) {
     titles: TARGET.copyOther,
     title: TEXT.aim.copy,
   });
+
+  const { apart } = parts;
+  const help = createTargetHelp(page, fields);
+  /** @param {HTMLElement} back  where the focus goes then */
+  const close = (back) => () => {
+    fill(apart);
+    apart.hidden = true;
+    back.focus();
+  };
+  addMenu(parts.helpers, () =>
+    help.sections(() => {
+      apart.hidden = false;
+      page.clock.onFrame(() => help.askPoint(apart, close(parts.helpers))); // the menu gives the focus back first
+    }),
+  );
+  function openPaste(pasted = '') {
+    apart.hidden = false;
+    createTargetPaste(page, fields, apart, close(parts.paste)).open(pasted);
+  }
+  parts.paste.addEventListener('click', () => openPaste());
+  return { openPaste };
 }

@@ -21,13 +21,8 @@ export function createTargetParts() {
   );
   const copy = button('copy', TEXT.aim.copy, 'btn-icon', icon('copy'));
   const copyMore = button('copyMore', TEXT.pose.copyMore, 'split', caret());
-  const paste = h('button', { type: 'button', class: 'btn btn-small', 'data-ask': 'paste' }, TEXT.aim.paste);
-  const helpers = h(
-    'button',
-    { type: 'button', class: 'btn btn-small', 'data-ask': 'helpers' },
-    TEXT.aim.helpers,
-    caret(),
-  );
+  const paste = h('button', { type: 'button', class: 'btn quiet', 'data-ask': 'paste' }, TEXT.aim.paste);
+  const helpers = h('button', { type: 'button', class: 'btn quiet', 'data-ask': 'helpers' }, TEXT.aim.helpers, caret());
   const follow = h(
     'button',
     { type: 'button', class: 'btn btn-icon', 'aria-label': TEXT.aim.follow, title: TEXT.aim.follow },
@@ -46,9 +41,9 @@ export function createTargetParts() {
       h('div', { class: 'split-pair' }, copy, dropdown(copyMore)),
       follow,
     ),
-    bar: h('div', { class: 'pose-bar' }, h('span', { class: 'grow' }), dropdown(form)),
+    bar: h('div', { class: 'aim-bar' }, paste, dropdown(helpers), h('span', { class: 'grow' }), dropdown(form)),
     /** Where the text to paste, and the point to look at, are typed. */
-    apart: h('div', { class: 'aim-apart' }),
+    apart: h('div', { class: 'aim-apart', hidden: true }),
   };
 }
 

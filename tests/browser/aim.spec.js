@@ -92,3 +92,35 @@ test('undo after "Move there" by Enter takes the move back', async ({ page }) =>
   await page.keyboard.press('Control+z');
   expect(await page.evaluate(() => window.denavit.joints())).toEqual([0, 45, -180, 0, 45, 0]);
 });
+
+test('a pose pasted in KUKA’s way is looked at, aimed at, shown as a quaternion and turned straight down', async ({
+  page,
+}) => {
+  await open(page);
+  const x = page.getByLabel('Target X, millimetres');
+  await x.focus();
+  await x.evaluate((field) => {
+    const clipboardData = new DataTransfer();
+    clipboardData.setData('text', '{X 450, Y 100, Z 900, A 90, B 0, C 180, S 2, T 35}');
+    field.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }));
+  });
+  await expect(page.getByRole('group', { name: 'The target that comes of it' })).toContainText('450.00');
+  await expect(page.getByLabel('What the numbers are')).toHaveValue('abc');
+  const text = page.getByLabel('A pose as text');
+  await text.fill('450 100 900 0 0 3 4');
+  await expect(page.locator('.aim-apart .reason')).toHaveText('A quaternion has the length 1; this one has 5.');
+  await expect(page.getByRole('button', { name: 'Use as target' })).toBeDisabled();
+  await page.getByRole('button', { name: 'Divide by its length' }).click();
+  await page.getByRole('button', { name: 'Use as target' }).click();
+  await page.locator('.aim-panel [data-ask=form]').click();
+  await page.getByRole('button', { name: 'Quaternion xyzw' }).click();
+  const turn = page.getByLabel('Target, Quaternion xyzw: x y z w');
+  await expect(turn).toHaveValue('0  0  0.60000  0.80000');
+  await page.locator('.aim-panel [data-ask=helpers]').click();
+  await page.getByRole('button', { name: 'Straight down' }).click();
+  await page.getByRole('button', { name: 'Move there' }).click();
+  await expect(page.locator('.verdict-line')).toHaveText('Reached: 0.00 mm, 0.00° off.');
+  const pose = await page.evaluate(() => window.denavit.pose());
+  [0, 0, -1, 0].forEach((value, k) => expect(pose[k][2]).toBeCloseTo(value, 8));
+  [0.45, 0.1, 0.9].forEach((value, k) => expect(pose[k][3]).toBeCloseTo(value, 8));
+});

@@ -6,7 +6,7 @@ export const AIM = {
   set: (/** @type {string} */ name, /** @type {string} */ value) => `${name}: ${value}`,
   copy: 'Copy the target',
   paste: 'Paste…',
-  helpers: 'Turn it',
+  helpers: 'Helpers',
   move: 'Move there',
   follow: 'Take the tool pose',
   nearest: 'Go as near as found',

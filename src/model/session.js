@@ -144,7 +144,10 @@ function settle(state, history, next) {
   const openJoint = session.openJoint === null ? null : Math.min(session.openJoint, robot.joints.length - 1);
   const numbers = fitNumbers(session.numbers, robot);
   const kept = { panel, tab, edition, frames, projection, handle, jog, jacobian, targetForm, toolKeeps };
-  return { ...next, session: sameShape ? { ...session, answer: null, ghost: null } : { ...FRESH, ...kept, openJoint, numbers } };
+  return {
+    ...next,
+    session: sameShape ? { ...session, answer: null, ghost: null } : { ...FRESH, ...kept, openJoint, numbers },
+  };
 }
 
 /** @param {AppState} state @param {AppState} before @returns {AppState} */

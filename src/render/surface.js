@@ -35,14 +35,20 @@ export function createSurface({ host, isLow, onResize, onLose, onRestore }) {
   let draws = 0;
   let isLost = false;
 
+  const ratioNow = () => (isLow ? 1 : Math.min(SHARPEST, devicePixelRatio));
+
   function measure() {
-    const next = isLow ? 1 : Math.min(SHARPEST, devicePixelRatio);
-    if (host.clientWidth === width && host.clientHeight === height && next === ratio) return;
-    [width, height, ratio] = [host.clientWidth, host.clientHeight, next];
+    if (host.clientWidth === width && host.clientHeight === height && ratioNow() === ratio) return;
+    [width, height] = [host.clientWidth, host.clientHeight];
     if (!width || !height) return;
+    sharpen();
+    onResize(width, height);
+  }
+
+  function sharpen() {
+    ratio = ratioNow();
     renderer.setPixelRatio(ratio);
     renderer.setSize(width, height, false);
-    onResize(width, height);
   }
   const observer = new ResizeObserver(measure);
   observer.observe(host);
@@ -83,6 +89,7 @@ export function createSurface({ host, isLow, onResize, onLose, onRestore }) {
     /** @param {Scene} scene @param {Camera} camera @param {boolean} castAnew  draw the shadow again, too */
     draw(scene, camera, castAnew) {
       if (isLost || !width || !height) return false;
+      if (ratioNow() !== ratio) sharpen(); // not every change of the screen is told
       renderer.shadowMap.needsUpdate = castAnew && !isLow;
       renderer.render(scene, camera);
       canvas.dataset.draws = String(++draws);

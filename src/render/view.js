@@ -49,6 +49,8 @@ export function createView(element, { clock, isCalm, onChange, onLook }) {
   let isUntouched = true; // since it was last fitted
   /** Counts what a flight would be overtaken by. */
   let course = 0;
+  /** Where a flight goes to, until it is there. @type {Viewpoint | null} */
+  let bound = null;
   const noticed = { position: new Vector3(), target: new Vector3() };
   controls.addEventListener('start', onTouch);
   controls.addEventListener('change', notice);
@@ -61,6 +63,7 @@ export function createView(element, { clock, isCalm, onChange, onLook }) {
 
   function onTouch() {
     isUntouched = false;
+    bound = null;
     course++;
   }
 
@@ -117,7 +120,8 @@ export function createView(element, { clock, isCalm, onChange, onLook }) {
   /** @param {Viewpoint} to @param {boolean} flies */
   function goTo(to, flies) {
     const own = ++course;
-    if (!flies || isCalm()) {
+    bound = flies && !isCalm() ? to : null;
+    if (!bound) {
       stand(to);
       return;
     }
@@ -128,6 +132,7 @@ export function createView(element, { clock, isCalm, onChange, onLook }) {
       const share = (clock.now() - begun) / FLIGHT;
       stand(between(start, to, share));
       if (share < 1) clock.onFrame(go);
+      else bound = null;
     };
     clock.onFrame(go);
   }
@@ -198,7 +203,7 @@ export function createView(element, { clock, isCalm, onChange, onLook }) {
      * @param {number} size  of the arm
      * @param {object} how
      * @param {Rectangle | null} how.free  the whole view if null
-     * @param {ViewName | null} how.from  as it is seen now if null
+     * @param {ViewName | null} how.from  as it is seen now, or will be after a flight, if null
      * @param {boolean} how.flies
      * @param {'whole' | 'part'} [how.fill]
      */
@@ -209,7 +214,7 @@ export function createView(element, { clock, isCalm, onChange, onLook }) {
       const part = free ?? { width, height };
       const tanX = (HALF_HEIGHT * FILL[fill][0] * part.width) / height;
       const tanY = (HALF_HEIGHT * FILL[fill][1] * part.height) / height;
-      const direction = from ? DIRECTIONS[from] : viewpoint();
+      const direction = from ? DIRECTIONS[from] : (bound ?? viewpoint());
       const axes = axesOf(direction);
       const { x, y, z, depth } = (isParallel ? fitParallel : fitCamera)(points, axes, { tanX, tanY });
       const distance = Math.max(depth, fill === 'whole' ? (LEAST_IN_VIEW * size) / (2 * tanY) : 0);

@@ -1,6 +1,6 @@
 /** The page's manners that a look at every screen asked for: order of the keyboard, the left edge, the view in the address. */
 import { expect, test } from '@playwright/test';
-import { open } from './page.js';
+import { draws, open } from './page.js';
 
 test('the keyboard comes to the picture and the table at once, and each button shows that it has the focus', async ({
   page,
@@ -66,6 +66,30 @@ test('the address says from where the arm is seen, how, and with which frames', 
     '?view=under is not understood. Expected iso, front, back, left, right, top or bottom. Using iso.',
     '?frames=some is not understood. Expected none, ends, row or all. Using ends.',
   ]);
+});
+
+test('on another screen, or zoomed, the picture has the pixels of that screen', async ({ page }) => {
+  await page.goto('./?theme=light&hint=off&robot=planar2r');
+  await page.evaluate(() => window.denavit.ready);
+  const sharpness = () =>
+    page
+      .locator('canvas')
+      .evaluate((canvas) => (canvas instanceof HTMLCanvasElement ? canvas.width / canvas.clientWidth : NaN));
+  expect(await sharpness()).toBe(1);
+  const browser = await page.context().newCDPSession(page);
+  const screen = async (/** @type {number} */ width, /** @type {number} */ deviceScaleFactor) => {
+    const before = await draws(page);
+    await browser.send('Emulation.setDeviceMetricsOverride', { width, height: 768, deviceScaleFactor, mobile: false });
+    return before;
+  };
+  const before = await screen(1365, 2); // as zooming does, too
+  await expect.poll(sharpness).toBe(2);
+  expect(await draws(page)).toBeGreaterThan(before);
+  await screen(1365, 1.5); // the browser under test tells nobody
+  await page.evaluate(() => window.denavit.setJoints([20, 40]));
+  await expect.poll(sharpness).toBeCloseTo(1.5, 2);
+  await screen(1364, 3);
+  await expect.poll(sharpness).toBe(2); // beyond that it only costs
 });
 
 for (const [width, height] of [

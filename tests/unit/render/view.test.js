@@ -157,6 +157,20 @@ describe('the views', () => {
     expect(view.viewpoint().azimuth).toBeCloseTo(0, 9);
   });
 
+  test('are come to though the room changes on the way', () => {
+    const { clock, view } = createStillView(false);
+    view.fit(points, 3, { free: null, from: 'home', flies: false });
+    view.fit(points, 3, { free: null, from: 'front', flies: true });
+    clock.tick(0.1);
+    view.resize(500, 500);
+    view.fit(points, 3, { free: null, from: null, flies: false });
+    for (let i = 0; i < 60; i++) clock.tick();
+    const resized = view.viewpoint();
+    view.fit(points, 3, { free: null, from: 'front', flies: false });
+    const { azimuth, elevation, distance } = view.viewpoint();
+    expect([resized.azimuth, resized.elevation, resized.distance]).toEqual([azimuth, elevation, distance]);
+  });
+
   test('give way to the hand in the middle of a flight', () => {
     const { clock, view, press } = createStillView(false);
     view.fit(points, 3, { free: null, from: 'home', flies: false });

@@ -133,7 +133,7 @@ function stand(robot, isOther = false) {
       return (host) => createJacobianPanel(page, host);
     },
   );
-  createJogPanel(page, shell.jog);
+  createJogPanel(page, shell.jog, shell.pose);
   const pose = createPosePanel(page, shell.pose);
   createAimPanel(page, shell.aim);
   createShortcuts(page, { files, openHelp });

@@ -3,11 +3,8 @@
  *
  * @import { JointDoc, RobotDoc } from './document.js'
  */
+import { hasControllerData, isCoupled } from './controllerData.js';
 import { quantityOf } from './document.js';
-
-/** Whether any joint value on the pendant differs from the model's. @param {RobotDoc} robot */
-export const hasControllerData = ({ joints }) =>
-  joints.some(({ controller }) => controller.sign !== 1 || controller.offset !== 0 || isCoupled(controller));
 
 /**
  * One line for each joint, as "J3 = -q3 + 90 deg - J2", or one for all.
@@ -30,8 +27,5 @@ function line({ joints, units }, joint, index) {
     ...(isCoupled(joint.controller) ? [`${signOf(coupling)} ${factor}J${other}`] : []),
   ].join(' ');
 }
-
-/** @param {JointDoc['controller']} controller */
-const isCoupled = ({ coupledTo, coupling }) => coupledTo !== undefined && coupling !== 0;
 
 const signOf = (/** @type {number} */ value) => (value < 0 ? '-' : '+');

@@ -5,7 +5,7 @@
  * @import { Issue } from './issues.js'
  */
 import { LARGEST_JOINT_VALUE } from '../karel/fanucPlan.js';
-import { hasControllerData } from './controllerConvention.js';
+import { hasControllerData } from './controllerData.js';
 import { isSliding, limitsOf, quantityOf } from './document.js';
 
 /** Degrees: one full turn. */

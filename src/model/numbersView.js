@@ -16,6 +16,7 @@
  * @property {CopyFormat} format   that was copied last
  * @property {boolean} isKernelUnits  copied in metres and radians instead of the document's units
  * @property {boolean} keepsLimits    jogging stops at the limits
+ * @property {boolean} isPendant      joints are shown and taken as the controller's pendant has them
  */
 
 /** @type {Readonly<NumbersView>} */
@@ -27,6 +28,7 @@ export const FIRST_NUMBERS = {
   format: 'text',
   isKernelUnits: false,
   keepsLimits: true,
+  isPendant: false,
 };
 
 /**

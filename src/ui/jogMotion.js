@@ -14,6 +14,7 @@ import { beginJog, jogFurther, jogJoint, withoutLimits } from '../model/jog.js';
 import { jogFramePose } from '../model/jogFrame.js';
 import { PENDANT_UNITS, mostTurnIn, rateOf, stepOf } from '../model/jogChoices.js';
 import { isSliding } from '../model/document.js';
+import { jointNumbers } from './jointNumbers.js';
 import { memo } from '../model/memo.js';
 import { convertAngle, convertLength, fromKernel } from '../model/units.js';
 import { newGesture } from './page.js';
@@ -46,7 +47,7 @@ export function createJogMotion(page, onProgress) {
 
   /** A step as it was typed, in the document's unit, so that ten of 0.1° make one degree. @param {number} joint */
   function jointStepOf(joint) {
-    const { joints, units } = store.state.doc.robot;
+    const { joints, units } = jointNumbers(store.state).robot(store.state.doc);
     const { step, turn } = choices();
     return isSliding(joints[joint])
       ? convertLength(step, PENDANT_UNITS.length, units.length)
@@ -59,12 +60,14 @@ export function createJogMotion(page, onProgress) {
     const { robot, posture } = doc;
     const { way, sign, gesture } = now;
     if ('joint' in way) {
-      const joint = robot.joints[way.joint];
+      const numbers = jointNumbers(store.state);
+      const shown = numbers.robot(doc);
+      const joint = shown.joints[way.joint];
+      const before = numbers.values(doc)[way.joint];
       const quantity = isSliding(joint) ? 'length' : 'angle';
-      const amount = seconds === 0 ? jointStepOf(way.joint) : fromKernel(quantity, amountOf(way, seconds), robot.units);
-      const { value, isStopped } = jogJoint(joint, posture[way.joint], sign * amount, keepsLimits());
-      if (value !== posture[way.joint])
-        store.dispatch({ type: 'set-posture', posture: posture.with(way.joint, value), gesture });
+      const amount = seconds === 0 ? jointStepOf(way.joint) : fromKernel(quantity, amountOf(way, seconds), shown.units);
+      const { value, isStopped } = jogJoint(joint, before, sign * amount, keepsLimits());
+      if (value !== before) store.dispatch({ ...numbers.command(doc, way.joint, value), gesture });
       now.posture = store.state.doc.posture;
       return {
         stop: isStopped ? { why: /** @type {const} */ ('limit'), joint: way.joint } : null,

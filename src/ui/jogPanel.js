@@ -2,12 +2,13 @@
  * A slider and a number for each joint, home and zero, and a word about whatever is past its limits.
  *
  * @import { JogRow } from './jogRow.js'
+ * @import { JointNumbers } from '../model/jointNumbers.js'
  * @import { Page } from './page.js'
  * @import { RobotDoc } from '../model/document.js'
  */
 import $ from 'jquery/slim';
 import { homePosture, limitsOf } from '../model/document.js';
-import { isInside, zeroPosture } from '../model/jogRange.js';
+import { isInside } from '../model/jogRange.js';
 import { together } from '../model/views.js';
 import { fill, h } from './dom.js';
 import { jointNumber, unitOf, withUnit } from './format.js';
@@ -15,14 +16,17 @@ import { createGoToMenu } from './goToMenu.js';
 import { icon } from './icons.js';
 import { createJogModes } from './jogModes.js';
 import { createJogRow, limitsInWords } from './jogRow.js';
+import { jointNumbers } from './jointNumbers.js';
+import { createPendantSwitch } from './pendantSwitch.js';
 import { createReasons } from './reasons.js';
 import { TEXT } from './strings.js';
 
 /**
  * @param {Page} page
  * @param {HTMLElement} host
+ * @param {HTMLElement} pose  the panel of the tool's pose
  */
-export function createJogPanel(page, host) {
+export function createJogPanel(page, host, pose) {
   const { store, addView, announce } = page;
   const zero = h('button', { type: 'button', class: 'btn soft', title: TEXT.jog.zero }, TEXT.jog.zeroShort);
   const home = h(
@@ -34,6 +38,7 @@ export function createJogPanel(page, host) {
   const keep = h('input', { type: 'checkbox', role: 'switch', checked: true });
   const keepRow = h('label', { class: 'switch' }, keep, TEXT.jog.keep);
   const modes = createJogModes(page, list);
+  const pendant = createPendantSwitch(page, pose);
   const reasons = createReasons('jog-refused');
   const remarkLine = h('p', { class: 'reason sm', role: 'note', hidden: true });
   fill(
@@ -50,7 +55,8 @@ export function createJogPanel(page, host) {
     ),
     list,
     modes.pendant,
-    h('div', { class: 'jog-switches' }, keepRow, modes.buttonsRow),
+    h('div', { class: 'jog-switches' }, keepRow, modes.buttonsRow, pendant.row),
+    pendant.note,
     h('div', { id: 'jog-reason' }, reasons.element, remarkLine),
   );
 
@@ -65,12 +71,15 @@ export function createJogPanel(page, host) {
   $(zero).on('click', () => {
     const { robot } = store.state.doc;
     const { keepsLimits } = numbers();
-    const { posture, stopped } = zeroPosture(robot, keepsLimits);
+    const joints = jointNumbers(store.state);
+    const { posture, stopped } = joints.zero(robot, keepsLimits);
     store.dispatch({ type: 'set-posture', posture });
+    const { doc } = store.state;
+    const shown = joints.robot(doc);
     const notThere = (keepsLimits ? stopped : []).map((i) => {
-      const unit = unitOf(robot.joints[i], robot.units);
-      const value = withUnit(jointNumber(posture[i], unit), unit);
-      return TEXT.jog.notZero(`J${i + 1}`, limitsInWords(robot.joints[i], robot.units), value);
+      const unit = unitOf(shown.joints[i], shown.units);
+      const value = withUnit(jointNumber(joints.values(doc)[i], unit), unit);
+      return TEXT.jog.notZero(`J${i + 1}`, limitsInWords(shown.joints[i], shown.units), value);
     });
     remark = notThere.length ? { of: store.state.doc.posture, text: notThere.join(' ') } : null;
     sayRemarks();
@@ -84,10 +93,15 @@ export function createJogPanel(page, host) {
 
   let said = '';
   function sayRemarks() {
-    const { robot, posture } = store.state.doc;
-    if (remark?.of !== posture) remark = null;
-    const outside = robot.joints.flatMap((joint, i) =>
-      isInside(joint, posture[i]) ? [] : [TEXT.jog.outside(`J${i + 1}`, limitsInWords(joint, robot.units))],
+    const { doc } = store.state;
+    if (remark?.of !== doc.posture) remark = null;
+    const joints = jointNumbers(store.state);
+    const { units, joints: shown } = joints.robot(doc);
+    const values = joints.values(doc);
+    const outside = shown.flatMap((joint, i) =>
+      isInside(joint, values[i])
+        ? []
+        : [TEXT.jog.outside(`J${i + 1}`, limitsInWords(joint, units) + joints.condition(doc, i))],
     );
     const text = [...(remark ? [remark.text] : []), ...outside].join(' ');
     if (text === said) return;
@@ -101,6 +115,8 @@ export function createJogPanel(page, host) {
   let shape = '';
   /** @type {RobotDoc | null} */
   let robotThen = null;
+  /** @type {JointNumbers | null} */
+  let jointsThen = null;
   let edition = -1;
   addView(
     together(({ doc, session }) => [
@@ -109,14 +125,22 @@ export function createJogPanel(page, host) {
       session.heldJoint,
       session.edition,
       session.numbers.keepsLimits,
+      session.numbers.isPendant,
     ]),
-    ([robot, posture, heldJoint, now, keepsLimits]) => {
-      if (robot !== robotThen || now !== edition) {
+    ([robot, , heldJoint, now, keepsLimits]) => {
+      const joints = jointNumbers(store.state);
+      if (robot !== robotThen || now !== edition || joints !== jointsThen) {
         const limits = robot.joints.map(({ type, lower, upper, home: at }) => [type, lower, upper, at]);
-        const wanted = JSON.stringify([robot.name, robot.units, limits]);
-        if (wanted !== shape || now !== edition) rows.forEach((row) => row.forget());
-        if (wanted !== shape) {
-          rows = robot.joints.map((_, i) => createJogRow(page, robot, i, reasons.set));
+        const wanted = JSON.stringify([
+          robot.name,
+          robot.units,
+          limits,
+          robot.joints.map(({ controller }) => controller),
+        ]);
+        const isOther = wanted !== shape || joints !== jointsThen;
+        if (isOther || now !== edition) rows.forEach((row) => row.forget());
+        if (isOther) {
+          rows = robot.joints.map((_, i) => createJogRow(page, robot, i, reasons.set, joints));
           fill(
             list,
             rows.map(({ row }) => row),
@@ -125,10 +149,11 @@ export function createJogPanel(page, host) {
             Object.values(limitsOf(joint)).every((limit) => !Number.isFinite(limit)),
           );
         }
-        [robotThen, shape, edition] = [robot, wanted, now];
+        [robotThen, jointsThen, shape, edition] = [robot, joints, wanted, now];
       }
       if (keep.checked !== keepsLimits) keep.checked = keepsLimits;
-      rows.forEach((row, i) => row.draw(posture[i], i === heldJoint, keepsLimits));
+      const values = joints.values(store.state.doc);
+      rows.forEach((row, i) => row.draw(values[i], i === heldJoint, keepsLimits));
       sayRemarks();
     },
   );

@@ -13,6 +13,7 @@ import { watchJogKeys } from './jogHold.js';
 import { createJogMotion } from './jogMotion.js';
 import { createJogRate } from './jogRate.js';
 import { jointNumber, unitOf, withUnit } from './format.js';
+import { jointNumbers } from './jointNumbers.js';
 import { limitsInWords } from './jogRow.js';
 import { PENDANT } from './words/jogPendant.js';
 
@@ -50,10 +51,13 @@ export function createJogPendant(page, host) {
   function inWords({ stop, isSlow, isTilting }) {
     if (!stop) return [isSlow ? PENDANT.slow : isTilting ? PENDANT.tilting : '', false];
     if (stop.why !== 'limit' && stop.why !== 'outside') return [PENDANT.stop[stop.why], true];
-    const { robot } = store.state.doc;
+    const { doc } = store.state;
+    const numbers = jointNumbers(store.state);
+    const robot = numbers.robot(doc);
     const index = stop.joint ?? 0;
     const tell = stop.why === 'limit' ? PENDANT.atLimit : PENDANT.outside;
-    return [tell(`J${index + 1}`, limitsInWords(robot.joints[index], robot.units)), true];
+    const limits = limitsInWords(robot.joints[index], robot.units) + numbers.condition(doc, index);
+    return [tell(`J${index + 1}`, limits), true];
   }
 
   let said = '';
@@ -129,12 +133,15 @@ export function createJogPendant(page, host) {
     },
   );
   addView(
-    together(({ doc, session }) => [doc.robot, doc.posture, session.jog.mode === joints]),
-    ([robot, posture, isJoints]) => {
+    together(({ doc, session }) => [doc.robot, doc.posture, session.jog.mode === joints, session.numbers.isPendant]),
+    ([, , isJoints]) => {
       if (!isJoints) return;
+      const numbers = jointNumbers(store.state);
+      const robot = numbers.robot(store.state.doc);
+      const shown = numbers.values(store.state.doc);
       values.forEach((value, i) => {
         const unit = unitOf(robot.joints[i], robot.units);
-        value.textContent = withUnit(jointNumber(posture[i], unit), unit);
+        value.textContent = withUnit(jointNumber(shown[i], unit), unit);
       });
     },
   );

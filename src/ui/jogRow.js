@@ -4,11 +4,13 @@
  *
  * @import { Page } from './page.js'
  * @import { JointDoc, RobotDoc, Units } from '../model/document.js'
+ * @import { JointNumbers } from '../model/jointNumbers.js'
  * @import { Reasons } from './reasons.js'
  * @import { Range } from '../model/jogRange.js'
  */
 import { homePosture, limitsOf, quantityOf } from '../model/document.js';
 import { grown, inside, isInside, jogRange } from '../model/jogRange.js';
+import { groundOf } from '../model/jointNumbers.js';
 import { editCell } from './cellEditor.js';
 import { h } from './dom.js';
 import { editable, jointNumber, jointStep, unitOf, unitSign, withUnit } from './format.js';
@@ -30,15 +32,18 @@ export function limitsInWords(joint, units) {
  * @param {RobotDoc} robot
  * @param {number} index
  * @param {Reasons['set']} onReason
+ * @param {JointNumbers} numbers  that it shows; another row is made for others
  */
-export function createJogRow(page, robot, index, onReason) {
+export function createJogRow(page, robot, index, onReason, numbers) {
   const { store } = page;
-  const { joints, units } = robot;
-  const joint = joints[index];
-  const unit = unitOf(joint, units);
-  const { lower, upper } = limitsOf(joint);
-  const home = homePosture(robot)[index];
-  const now = () => store.state.doc.posture[index];
+  const shown = () => numbers.robot(store.state.doc);
+  const { units } = shown();
+  const joint = () => shown().joints[index] ?? robot.joints[index];
+  const { type } = joint();
+  const unit = unitOf(joint(), units);
+  const limits = () => limitsOf(joint());
+  const home = () => homePosture(shown())[index];
+  const now = () => numbers.values(store.state.doc)[index];
   const keepsLimits = () => store.state.session.numbers.keepsLimits;
 
   const slider = h('input', {
@@ -58,12 +63,12 @@ export function createJogRow(page, robot, index, onReason) {
   const row = h(
     'div',
     { class: 'jog' },
-    h('span', { class: 'name', title: TEXT.table.jointType[joint.type] }, `J${index + 1}`),
+    h('span', { class: 'name', title: TEXT.table.jointType[type] }, `J${index + 1}`),
     h(
       'span',
       { class: 'track' },
-      Number.isFinite(lower) && mark('stop lower'),
-      Number.isFinite(upper) && mark('stop upper'),
+      Number.isFinite(limits().lower) && mark('stop lower'),
+      Number.isFinite(limits().upper) && mark('stop upper'),
       mark('home'),
       slider,
     ),
@@ -85,16 +90,18 @@ export function createJogRow(page, robot, index, onReason) {
     range = next;
     slider.min = String(range.least);
     slider.max = String(range.most);
-    place('--h', home);
-    place('--lower', lower);
-    place('--upper', upper);
+    place('--h', home());
+    place('--lower', limits().lower);
+    place('--upper', limits().upper);
   }
 
   const cell = editCell(page, field, {
-    measure: () => ({ quantity: quantityOf(joint, 'home'), units }),
-    command: (/** @type {number} */ value) => ({ type: 'set-joint-value', joint: index, value }),
+    measure: () => ({ quantity: quantityOf(joint(), 'home'), units }),
+    command: (/** @type {number} */ value) => numbers.command(groundOf(store.state), index, value),
     check: (value) =>
-      isInside(joint, value) || !keepsLimits() ? null : TEXT.jog.stops(`J${index + 1}`, limitsInWords(joint, units)),
+      isInside(joint(), value) || !keepsLimits()
+        ? null
+        : TEXT.jog.stops(`J${index + 1}`, limitsInWords(joint(), units) + numbers.condition(store.state.doc, index)),
     onDone: (/** @type {number} */ value) => `J${index + 1}: ${withUnit(jointNumber(value, unit), unit)}`,
     onReason: (reason, refused) => onReason(field, reason, refused, (way) => cell.settle(way)),
     text: () => editable(now()),
@@ -105,34 +112,38 @@ export function createJogRow(page, robot, index, onReason) {
     if (steps === null) return;
     event.preventDefault();
     const wanted = now() + steps * jointStep(unit);
-    cell.type(editable(keepsLimits() ? inside(joint, wanted) : wanted));
+    cell.type(editable(keepsLimits() ? inside(joint(), wanted) : wanted));
   });
   watchSlider(page, slider, index, {
     home,
     step: jointStep(unit),
     range: () => range,
-    hold: (value) => (keepsLimits() ? inside(joint, value) : value),
+    command: (value) => numbers.command(groundOf(store.state), index, value),
+    now,
+    hold: (value) => (keepsLimits() ? inside(joint(), value) : value),
     /** At an end that is no limit there is more to come. */
     onRest() {
       const value = now();
+      const { lower, upper } = limits();
       const isStop = keepsLimits() && (value <= lower || value >= upper);
       if (!isStop) span(grown(range, value, true));
       redraw();
     },
   });
 
-  /** @type {readonly [value: number, isHeld: boolean, keeps: boolean] | null} what stands there */
+  /** @type {readonly [value: number, isHeld: boolean, keeps: boolean, lower: number, upper: number] | null} what stands there */
   let drawn = null;
   function redraw() {
     if (!drawn) return;
     const [value, isHeld, keeps] = drawn;
+    const { lower, upper } = limits();
     span(grown(range, value));
     slider.value = String(value);
     slider.setAttribute('aria-valuetext', inWords(value));
     place('--a', Math.min(0, value));
     place('--b', Math.max(0, value));
     row.classList.toggle('on', isHeld);
-    row.classList.toggle('is-outside', !isInside(joint, value));
+    row.classList.toggle('is-outside', !isInside(joint(), value));
     row.classList.toggle('at-stop', isHeld && keeps && (value === lower || value === upper));
     cell.refresh();
   }
@@ -140,7 +151,7 @@ export function createJogRow(page, robot, index, onReason) {
   /** @param {number} value */
   function inWords(value) {
     const text = withUnit(jointNumber(value, unit), unit);
-    return isInside(joint, value) ? text : TEXT.jog.outsideShort(text);
+    return isInside(joint(), value) ? text : TEXT.jog.outsideShort(text);
   }
 
   return {
@@ -151,9 +162,12 @@ export function createJogRow(page, robot, index, onReason) {
     },
     /** @param {number} value @param {boolean} isHeld @param {boolean} keeps */
     draw(value, isHeld, keeps) {
-      if (drawn && drawn[0] === value && drawn[1] === isHeld && drawn[2] === keeps) return;
-      if (!drawn || drawn[2] !== keeps) span(jogRange(robot, index, keeps));
-      drawn = [value, isHeld, keeps];
+      const { lower, upper } = limits();
+      /** @type {NonNullable<typeof drawn>} */
+      const next = [value, isHeld, keeps, lower, upper];
+      if (drawn?.every((one, i) => one === next[i])) return;
+      if (!drawn || [2, 3, 4].some((i) => drawn?.[i] !== next[i])) span(jogRange(shown(), index, keeps));
+      drawn = next;
       redraw();
     },
   };

@@ -4,6 +4,7 @@
  * zero: here they count from zero, and the ends can be reached.
  *
  * @import { Page } from './page.js'
+ * @import { Command } from '../model/commands.js'
  * @import { Range } from '../model/jogRange.js'
  */
 import { stepsOf } from './jogKeys.js';
@@ -14,18 +15,19 @@ import { attempt, newGesture } from './page.js';
  * @param {HTMLInputElement} slider
  * @param {number} index
  * @param {object} given
- * @param {number} given.home
+ * @param {() => number} given.home
  * @param {number} given.step
+ * @param {() => number} given.now
+ * @param {(value: number) => Command} given.command
  * @param {() => Range} given.range
  * @param {(value: number) => number} given.hold  a value brought inside what may be reached
  * @param {() => void} given.onRest  a pull or a key has ended
  */
-export function watchSlider(page, slider, index, { home, step, range, hold, onRest }) {
+export function watchSlider(page, slider, index, { home, step, now, command, range, hold, onRest }) {
   const { store, announce } = page;
   /** @type {string | null} */
   let gesture = null;
   let isGivenUp = false; // by Escape; the browser goes on dragging until the hand is off
-  const now = () => store.state.doc.posture[index];
   const take = (/** @type {boolean} */ isHeld) =>
     store.dispatch({ type: 'show', change: { heldJoint: isHeld ? index : null } });
 
@@ -33,7 +35,7 @@ export function watchSlider(page, slider, index, { home, step, range, hold, onRe
   function go(value) {
     gesture ??= newGesture();
     take(true);
-    const reason = attempt(page, { type: 'set-joint-value', joint: index, value: hold(value), gesture });
+    const reason = attempt(page, { ...command(hold(value)), gesture });
     if (reason) announce(reason);
   }
   /** @param {number} value */
@@ -67,7 +69,7 @@ export function watchSlider(page, slider, index, { home, step, range, hold, onRe
     });
   }
   slider.addEventListener('dblclick', () => {
-    go(home);
+    go(home());
     end();
     take(false);
   });
@@ -80,7 +82,7 @@ export function watchSlider(page, slider, index, { home, step, range, hold, onRe
     const steps = stepsOf(event);
     const isPlain = !event.ctrlKey && !event.altKey && !event.metaKey;
     if (steps !== null) go(onStep(now() + steps * step));
-    else if (event.key === 'Home' && isPlain) go(event.shiftKey ? range().least : home);
+    else if (event.key === 'Home' && isPlain) go(event.shiftKey ? range().least : home());
     else if (event.key === 'End' && isPlain) go(range().most);
     else return;
     event.preventDefault();

@@ -11,6 +11,7 @@ export const JOG = {
   tool: 'Tool',
   toolTitle: 'Move the tool along and about the axes of a frame',
   buttons: 'Buttons',
+  pendant: 'Pendant numbers',
   keep: 'Stop at limits',
   keepsNow: 'Joints stop at their limits.',
   keepsNot: 'Joints may go beyond their limits.',

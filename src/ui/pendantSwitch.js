@@ -1,0 +1,39 @@
+/**
+ * Whether joints are shown as the table counts them or as the controller's pendant does. It is offered where a controller would
+ * have numbers or a configuration for the arm; what belongs to it is fetched when it is first used.
+ *
+ * @import { Page } from './page.js'
+ */
+import { hasPendant } from '../model/controllerData.js';
+import { together } from '../model/views.js';
+import { h } from './dom.js';
+import { fetchPendantNumbers } from './jointNumbers.js';
+import { TEXT } from './strings.js';
+
+/** @param {Page} page @param {HTMLElement} pose  the panel that the configuration is shown in */
+export function createPendantSwitch(page, pose) {
+  const input = h('input', { type: 'checkbox', role: 'switch' });
+  const row = h('label', { class: 'switch' }, input, TEXT.jog.pendant);
+  const note = h('div', { hidden: true });
+  let hasParts = false;
+
+  input.addEventListener('change', async () => {
+    try {
+      const { createPendantParts, showPendant } = await fetchPendantNumbers();
+      if (!hasParts) createPendantParts(page, { note, pose });
+      hasParts = true;
+      showPendant(page, input.checked);
+    } catch (error) {
+      input.checked = false;
+      page.messages.fault(error);
+    }
+  });
+  page.addView(
+    together(({ doc, session }) => [hasPendant(doc.robot), session.numbers.isPendant]),
+    ([isOffered, isPendant]) => {
+      row.hidden = !isOffered;
+      note.hidden = !isOffered || !isPendant;
+    },
+  );
+  return { row, note };
+}

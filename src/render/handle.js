@@ -25,9 +25,9 @@ import {
 } from 'three';
 import { disposeOf, fatLines, segmentsThrough } from './fatLines.js';
 import { HEAD, PARTS, SHAFT, alongUnit, isSame, isUsable, outlineOf } from './handleParts.js';
-import { createHandleGhost } from './handleGhost.js';
 import { sightOf } from './sight.js';
 import { cone, solidOf } from './solid.js';
+import { createWantedPose } from './wantedPose.js';
 
 const ARROW = 104; // pixels: with its letter about 120
 const SHARE = 0.34; // of a small picture's lesser side, at most
@@ -37,6 +37,7 @@ const FILL = 0.3;
 const LIT_FILL = 0.65;
 const ASIDE = 0.22; // how much is left of the others while one is held
 const LETTER_GAP = 7;
+const GHOST = { arrow: 0.045, gap: 8, order: 46, least: 0.004 }; // in sizes of the arm; the gap in pixels
 
 /** @typedef {{ part: HandlePart, group: Group, paint: (colour: string, isLit: boolean, strength: number) => void, dispose: () => void }} Piece */
 
@@ -55,7 +56,8 @@ export function createHandle({ scene, skin, labels, missing }) {
     label.at.fromArray(alongUnit(axis, 1));
     return Object.assign(label, { parent: group, from: new Vector3(), gap: LETTER_GAP, yields: true, visible: false });
   });
-  const ghost = createHandleGhost({ scene, skin, labels, missing });
+  const ghost = createWantedPose({ ...GHOST, skin, labels, missing });
+  scene.add(ghost.group);
   /** @type {HandleNow | null} */
   let now = null;
   /** @type {ArmNow | null} */
@@ -124,7 +126,7 @@ export function createHandle({ scene, skin, labels, missing }) {
       for (const label of letters) label.visible = now !== null;
       dot.visible = now !== null && now.T_world_ghost !== null; // elsewhere the tool has its own
       if (isRepainted) paint();
-      ghost.want(now?.T_world_ghost ?? null);
+      ghost.want(now?.T_world_ghost ?? null, { isMissed: true, hasLetters: false });
       set.follow();
     },
 

@@ -7,7 +7,7 @@
  * @import { Gauge, GaugeText } from './gauge.js'
  * @import { LabelLayer } from './labels.js'
  * @import { Skin } from './skins.js'
- * @import { TargetMark } from './targetMark.js'
+ * @import { WantedPose } from './wantedPose.js'
  * @import { Chain } from '../kinematics/chain.js'
  * @import { Pose } from '../kinematics/pose.js'
  *
@@ -36,7 +36,10 @@
  * @typedef {{ T_base_target: Pose, reached: boolean }} Target
  */
 import { createGauge } from './gauge.js';
-import { createTargetMark } from './targetMark.js';
+import { createWantedPose } from './wantedPose.js';
+
+/** The target's frame: arrows in sizes of the arm; the gap in pixels. */
+const TARGET = { arrow: 0.05, gap: 6, order: 30 };
 
 /** @param {MarkTools & { text: MarkText }} options */
 export function createMarks({ scene, linkGroup, skin, labels, text }) {
@@ -48,7 +51,7 @@ export function createMarks({ scene, linkGroup, skin, labels, text }) {
   let target = null;
   /** @type {Gauge | null} */
   let gauge = null;
-  /** @type {TargetMark | null} */
+  /** @type {WantedPose | null} */
   let targetMark = null;
 
   function clear() {
@@ -75,7 +78,10 @@ export function createMarks({ scene, linkGroup, skin, labels, text }) {
       linkGroup(held).add(gauge.group);
     }
     if (target) {
-      targetMark = createTargetMark({ ...target, size, skin, labels, missing: text.missing });
+      const { T_base_target, reached } = target;
+      targetMark = createWantedPose({ ...TARGET, skin, labels, missing: text.missing });
+      // where it is reached, the tool's own letters are there
+      targetMark.want(T_base_target, { isMissed: !reached, hasLetters: !reached });
       scene.add(targetMark.group);
     }
     follow();
@@ -84,7 +90,7 @@ export function createMarks({ scene, linkGroup, skin, labels, text }) {
   function follow() {
     if (!arm) return;
     if (held !== null) gauge?.show(arm.posture[held]);
-    targetMark?.measureFrom(arm.T_base_tcp);
+    targetMark?.measureFrom(arm.T_base_tcp, arm.parts.size);
   }
 
   return {

@@ -15,8 +15,11 @@ import { TEXT } from './strings.js';
  */
 export function createJogModes(page, sliders) {
   const { store, addView } = page;
-  const go = (/** @type {JogChoices['mode']} */ mode) =>
+  /** At once, not in the next frame: what was just shown takes the focus of a quick Tab. @param {JogChoices['mode']} mode */
+  function go(mode) {
     store.dispatch({ type: 'show', change: { jog: { ...store.state.session.jog, mode } } });
+    show(mode);
+  }
   const joints = h('button', { type: 'button', title: TEXT.jog.jointsTitle }, TEXT.jog.joints);
   const tool = h('button', { type: 'button', title: TEXT.jog.toolTitle }, TEXT.jog.tool);
   const hasButtons = h('input', { type: 'checkbox', role: 'switch' });
@@ -36,17 +39,16 @@ export function createJogModes(page, sliders) {
       return (host) => createJogPendant(page, host);
     },
   );
-  addView(
-    ({ session }) => session.jog.mode,
-    (mode) => {
-      joints.setAttribute('aria-pressed', String(mode !== 'tool'));
-      tool.setAttribute('aria-pressed', String(mode === 'tool'));
-      if (mode !== 'tool') hasButtons.checked = mode === 'joints';
-      buttonsRow.hidden = mode === 'tool';
-      sliders.hidden = mode !== 'sliders';
-      pendant.hidden = mode === 'sliders';
-    },
-  );
+  /** @param {JogChoices['mode']} mode */
+  function show(mode) {
+    joints.setAttribute('aria-pressed', String(mode !== 'tool'));
+    tool.setAttribute('aria-pressed', String(mode === 'tool'));
+    if (mode !== 'tool') hasButtons.checked = mode === 'joints';
+    buttonsRow.hidden = mode === 'tool';
+    sliders.hidden = mode !== 'sliders';
+    pendant.hidden = mode === 'sliders';
+  }
+  addView(({ session }) => session.jog.mode, show);
   const switcher = h('div', { class: 'seg', role: 'group', 'aria-label': TEXT.jog.mode }, joints, tool);
   return { switcher, pendant, buttonsRow };
 }

@@ -21,6 +21,7 @@ import { identityPose } from './document.js';
 import {
   ACTIVE,
   activeFrame,
+  agree,
   atPose,
   freeFrameId,
   freeFrameNumber,
@@ -40,8 +41,13 @@ import { isSamePose } from './samePose.js';
 export function applyFrameCommand(doc, command) {
   const { frames } = doc;
   switch (command.type) {
-    case 'add-frame':
-      return { ...doc, frames: [...frames, newFrame(frames, command.kind, command.pose)] };
+    case 'add-frame': {
+      const added = newFrame(frames, command.kind, command.pose);
+      const next = { ...doc, frames: [...frames, added] };
+      // the tool that is in use already, and was in no list
+      const isInUse = added.kind === 'tool' && hasUnlistedTool(doc) && agree(added, doc.robot.tool);
+      return isInUse ? active(next, 'tool', added.id) : next;
+    }
     case 'rename-frame':
       return renamed(doc, command.index, command.id);
     case 'number-frame': {

@@ -1,6 +1,7 @@
 /**
  * Which frames the scene shows, by what a person asked for: the words beside the picture say the same.
  *
+ * @import { Doc } from './document.js'
  * @import { Session } from './session.js'
  */
 
@@ -17,3 +18,11 @@ export function shownFrames({ frames, build, pointedCell, cell, heldJoint }, cou
   if (frames === 'row' && row !== null) return [row, row + 1];
   return [0, 'tool'];
 }
+
+/**
+ * User frames are drawn wherever any frame is, but not over a row that is being built up.
+ * @param {Pick<Doc, 'frames'>} doc
+ * @param {Pick<Session, 'frames' | 'build'>} session
+ */
+export const shownUserFrames = ({ frames }, session) =>
+  session.frames === 'none' || session.build ? [] : frames.filter(({ kind }) => kind === 'user');

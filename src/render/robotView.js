@@ -20,12 +20,12 @@
  * @property {Clock} clock
  */
 import { isAtAnswer, poseFromXyzwpr } from '../model/aim.js';
-import { compileLinkStyles, compilePosture } from '../model/compile.js';
+import { compileLinkStyles, compilePose, compilePosture } from '../model/compile.js';
 import { targetPose } from '../model/frames.js';
 import { memo } from '../model/memo.js';
 import { isRowField, motionAt } from '../model/rowMotions.js';
 import { together } from '../model/views.js';
-import { shownFrames } from '../model/shownFrames.js';
+import { shownFrames, shownUserFrames } from '../model/shownFrames.js';
 import { createStage } from './stage.js';
 
 /** An arm with a reach this much larger or smaller (as a logarithm: half as much again) is another one to the eye. */
@@ -153,6 +153,25 @@ export function createRobotView({ store, addView, derived, clock }, options) {
   addView(
     ({ session }) => session.tab === 'jacobian' && session.jacobian.ellipsoid,
     (kind) => withEllipsoid(kind !== false && kind !== null, (mark) => mark.want(kind || null)),
+  );
+
+  const withUserFrames = whenWanted(async () => (await import('./userFrames.js')).createUserFrames);
+  addView(
+    together(({ doc, session }) => [
+      doc.frames,
+      doc.activeUser,
+      doc.robot.units,
+      shownUserFrames(doc, session).length > 0,
+    ]),
+    () => {
+      const { doc, session } = store.state;
+      const frames = shownUserFrames(doc, session).map((frame) => ({
+        id: frame.id,
+        T_world_frame: compilePose(frame, doc.robot.units),
+        isActive: frame.id === doc.activeUser,
+      }));
+      withUserFrames(frames.length > 0, (marks) => marks.want(frames));
+    },
   );
 
   const withBuild = whenWanted(async () => (await import('./buildMarks.js')).createBuildMarks);

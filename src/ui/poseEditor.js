@@ -1,15 +1,17 @@
 /**
- * Base or tool: a shift and an orientation, the latter written as the person likes. Choosing how it is written changes
+ * A pose of the document (base, tool, a user frame): a shift and an orientation, the latter written as the person likes. Choosing how it is written changes
  * what is shown, and never the document; the document keeps what was typed.
  *
  * @import { Page } from './page.js'
  * @import { CellEditor } from './cellEditor.js'
  * @import { PoseDoc } from '../model/document.js'
  * @import { Notation } from '../model/orientationNotation.js'
+ * @import { PoseSubject } from './poseSubjects.js'
  */
 import { isNoPose } from '../model/noPose.js';
 import { NOTATIONS, orientationOf, withOrientation } from '../model/orientationNotation.js';
 import { identityPose } from '../model/document.js';
+import { isSamePose } from '../model/samePose.js';
 import { together } from '../model/views.js';
 import { captioned, captionedSelect, select, textInput } from './captioned.js';
 import './css/robotDetails.css';
@@ -27,16 +29,16 @@ const LENGTH_OF_QUATERNION = 4;
 /**
  * @param {Page} page
  * @param {HTMLElement} host
- * @param {'base' | 'tool'} which
+ * @param {PoseSubject} subject
+ * @returns {() => void} removes what keeps it up to date
  */
-export function createPoseEditor(page, host, which) {
+export function createPoseEditor(page, host, subject) {
   const { store, addView, announce } = page;
-  const what = TEXT.robot[which];
-  const type = /** @type {const} */ ({ base: 'set-base', tool: 'set-tool' })[which];
   const robot = () => store.state.doc.robot;
-  const pose = () => robot()[which];
-  const command = (/** @type {PoseDoc} */ wanted) => ({ type, pose: wanted });
-  const reasons = createReasons(`${which}-reason`);
+  const pose = () => subject.pose(store.state.doc);
+  const what = () => subject.name(store.state.doc);
+  const { command } = subject;
+  const reasons = createReasons(`${subject.id}-reason`);
   /** @type {Notation} */
   let notation = pose().quaternion ? 'quaternion' : 'rpy';
 
@@ -47,7 +49,7 @@ export function createPoseEditor(page, host, which) {
    */
   let typed = null;
   const numbers = () =>
-    typed?.pose === pose() && typed.notation === notation
+    typed && isSamePose(typed.pose, pose()) && typed.notation === notation
       ? typed.numbers
       : orientationOf(pose(), notation, robot().units).numbers;
 
@@ -64,7 +66,7 @@ export function createPoseEditor(page, host, which) {
   const angles = h('div', { class: 'captioned-row' });
   const meaning = h('p', { class: 'soft sm' });
   const computed = h('p', { class: 'soft sm' });
-  const notationSelect = select(DETAILS.orientationAs(what), NOTATIONS, DETAILS.notation, (wanted) => {
+  const notationSelect = select(DETAILS.orientationAs(what()), NOTATIONS, DETAILS.notation, (wanted) => {
     notation = wanted;
     build();
     refresh();
@@ -74,11 +76,11 @@ export function createPoseEditor(page, host, which) {
     if (isNoPose(pose())) return announce(DETAILS.resetNeedless);
     typed = null;
     attempt(page, command(identityPose()));
-    announce(DETAILS.resetDone[which]);
+    announce(subject.resetDone);
   });
   fill(
     host,
-    h('p', { class: 'soft sm' }, DETAILS.pose[which]),
+    h('p', { class: 'soft sm' }, subject.meaning),
     shifts,
     h('div', { class: 'captioned-row' }, captionedSelect(notationSelect, DETAILS.orientation), reset),
     angles,
@@ -92,7 +94,7 @@ export function createPoseEditor(page, host, which) {
     const shiftFields = [0, 1, 2].map((k) =>
       captionedField(h('b', { class: `axis-${'xyz'[k]}` }, 'XYZ'[k]), unitSign(length), {
         quantity: 'length',
-        label: DETAILS.shift(what, 'XYZ'[k], TEXT.table.unitName[length]),
+        label: DETAILS.shift(what(), 'XYZ'[k], TEXT.table.unitName[length]),
         value: () => pose().xyz[k],
         command: (value) => command({ ...pose(), xyz: pose().xyz.with(k, value) }),
       }),
@@ -103,7 +105,7 @@ export function createPoseEditor(page, host, which) {
         : DETAILS.angles[notation].map((name, k) =>
             captionedField(name, unitSign(angle), {
               quantity: 'angle',
-              label: DETAILS.shift(what, name, TEXT.table.unitName[angle]),
+              label: DETAILS.shift(what(), name, TEXT.table.unitName[angle]),
               value: () => numbers()[k],
               command: (value) => turned(numbers().with(k, value)),
             }),
@@ -113,6 +115,7 @@ export function createPoseEditor(page, host, which) {
     fill(angles, ...angleFields.map(({ element }) => element));
     meaning.textContent = DETAILS.meaning[notation];
     notationSelect.value = notation;
+    notationSelect.setAttribute('aria-label', DETAILS.orientationAs(what()));
   }
 
   /**
@@ -132,7 +135,7 @@ export function createPoseEditor(page, host, which) {
     const { input, button, editor } = severalField(
       page,
       reasons,
-      textInput({ 'aria-label': DETAILS.quaternion(what) }),
+      textInput({ 'aria-label': DETAILS.quaternion(what()) }),
       {
         counts: [LENGTH_OF_QUATERNION],
         wrongCount: DETAILS.fourNumbers,
@@ -159,12 +162,12 @@ export function createPoseEditor(page, host, which) {
 
   let shape = '';
   let edition = -1;
-  addView(
-    together(({ doc, session }) => [doc.robot.units, doc.robot[which], session.edition]),
-    ([{ length, angle }, , now]) => {
+  return addView(
+    together(({ doc, session }) => [doc.robot.units, subject.pose(doc), session.edition, subject.name(doc)]),
+    ([{ length, angle }, , now, name]) => {
       if (now !== edition) editors.forEach((editor) => editor.forget());
       edition = now;
-      const wanted = [length, angle].join();
+      const wanted = [length, angle, name].join();
       if (wanted !== shape) build();
       shape = wanted;
       refresh();

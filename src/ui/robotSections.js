@@ -3,19 +3,15 @@
  * it is fetched when it is first opened.
  *
  * @import { Page } from './page.js'
- * @import { PoseDoc, RobotDoc } from '../model/document.js'
- * @import { Child } from './dom.js'
+ * @import { RobotDoc } from '../model/document.js'
  */
 import { isSliding } from '../model/document.js';
-import { isNoPose, isNoTurn } from '../model/noPose.js';
+import { isNoPose } from '../model/noPose.js';
 import { together } from '../model/views.js';
-import { h, symbol } from './dom.js';
+import { symbol } from './dom.js';
 import { foldMaker } from './fold.js';
-import { compact } from './format.js';
+import { poseInWords } from './poseInWords.js';
 import { TEXT } from './strings.js';
-
-/** How many characters of a shift a head has room for. */
-const WIDEST = 7;
 
 const JOINT_HEAD = 'fold-joint';
 
@@ -43,12 +39,18 @@ export function createRobotSections(page, host, scene) {
     async (body) => (await import('./jointDetails.js')).createJointDetails(page, body, scene),
     (isOpen) => store.dispatch({ type: 'show', change: { openJoint: isOpen ? shown : null } }),
   );
-  const editPose = async (/** @type {HTMLElement} */ body, /** @type {'base' | 'tool'} */ which) =>
-    (await import('./poseEditor.js')).createPoseEditor(page, body, which);
+  const editPose = async (/** @type {HTMLElement} */ body, /** @type {'base' | 'tool'} */ which) => {
+    const [{ createPoseEditor }, { robotPose }] = await Promise.all([
+      import('./poseEditor.js'),
+      import('./poseSubjects.js'),
+    ]);
+    createPoseEditor(page, body, robotPose(which));
+  };
   const base = fold('fold-base', (body) => editPose(body, 'base'));
   const tool = fold('fold-tool', (body) => editPose(body, 'tool'));
+  const frames = fold('fold-frames', async (body) => (await import('./framesPanel.js')).createFramesPanel(page, body));
   const about = fold('fold-about', async (body) => (await import('./robotInfo.js')).createRobotInfo(page, body));
-  host.append(...[joint, base, tool, about].map(({ element }) => element));
+  host.append(...[joint, base, tool, frames, about].map(({ element }) => element));
 
   let shown = 0; // the joint that the head speaks of
   // With the fold open, whichever row a person goes to is the one that is shown in it.
@@ -71,19 +73,13 @@ export function createRobotSections(page, host, scene) {
   addView(
     ({ doc }) => doc.robot,
     (robot) => {
-      base.setHead(TEXT.robot.base, ...poseInWords(robot.base, robot, TEXT.robot.noBase));
-      tool.setHead(TEXT.robot.tool, ...poseInWords(robot.tool, robot, TEXT.robot.noTool));
+      base.setHead(TEXT.robot.base, ...poseInWords(robot.base, robot.units, TEXT.robot.noBase));
+      tool.setHead(TEXT.robot.tool, ...poseInWords(robot.tool, robot.units, TEXT.robot.noTool));
       about.setHead(TEXT.robot.about, robot.info.source ?? TEXT.robot.noSource);
     },
   );
-}
-
-/** "z 160 mm, turned". @param {PoseDoc} pose @param {RobotDoc} robot @param {string} none @returns {Child[]} */
-function poseInWords(pose, { units }, none) {
-  if (isNoPose(pose)) return [none];
-  const shifts = pose.xyz.flatMap((value, i) =>
-    value === 0 ? [] : [[h('span', { class: 'm' }, 'xyz'[i]), ` ${compact(value, WIDEST).text} `]],
+  addView(
+    together(({ doc }) => [doc.activeUser, doc.activeTool, isNoPose(doc.robot.tool)]),
+    ([user, inUse, isFlange]) => frames.setHead(TEXT.robot.frames, TEXT.robot.active(user, inUse, isFlange)),
   );
-  if (shifts.length === 0) return [TEXT.robot.turnedOnly];
-  return [...shifts.flat(), units.length, isNoTurn(pose) ? null : `, ${TEXT.robot.turned}`];
 }

@@ -8,7 +8,7 @@
  * @typedef {{ canvas: HTMLCanvasElement, look: (direction: Direction | null) => void }} Scene  all that is known of it here
  */
 import $ from 'jquery/slim';
-import { shownFrames } from '../model/shownFrames.js';
+import { shownFrames, shownUserFrames } from '../model/shownFrames.js';
 import { isRowField, motionAt } from '../model/rowMotions.js';
 import { together } from '../model/views.js';
 import { createBuildButton } from './buildButton.js';
@@ -63,7 +63,10 @@ export function createViewPanel(page, host, { poseInWords, isCalm, isWide }) {
   /** What is in the picture beside the arm, in words. */
   function drawn() {
     const { doc, session } = store.state;
-    const frames = shownFrames(session, doc.robot.joints.length).map(TEXT.view.frameName);
+    const frames = [
+      ...shownFrames(session, doc.robot.joints.length).map(TEXT.view.frameName),
+      ...shownUserFrames(doc, session).map(({ id }) => TEXT.view.userFrame(id, id === doc.activeUser)),
+    ];
     const { build } = session;
     const cell = build
       ? { joint: build.joint, field: motionAt(doc.robot.convention, build.at)?.motion.field ?? '' }

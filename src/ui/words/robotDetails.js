@@ -41,6 +41,7 @@ export const DETAILS = {
   pose: {
     base: 'Frame 0, seen from the world.',
     tool: 'The tool’s tip (TCP), seen from the flange, the last frame of the table.',
+    user: 'Seen from the world.',
   },
   shift: (/** @type {string} */ what, /** @type {string} */ axis, /** @type {string} */ unit) =>
     `${what}, ${axis}, ${unit}`,
@@ -76,7 +77,11 @@ export const DETAILS = {
     `A quaternion is four numbers with blanks between them, x y z w; here are ${n}.`,
   scale: 'Divide by its length',
   reset: 'Reset to none',
-  resetDone: { base: 'The base is at the origin, upright.', tool: 'There is no tool; the flange itself is followed.' },
+  resetDone: {
+    base: 'The base is at the origin, upright.',
+    tool: 'There is no tool; the flange itself is followed.',
+    user: 'The frame is at the world’s origin.',
+  },
   resetNeedless: 'It is none already.',
 
   info: {

@@ -45,6 +45,8 @@ export const VIEW = {
   noFrames: 'No frames drawn.',
   frameName: (/** @type {number | 'tool'} */ frame) =>
     frame === 'tool' ? 'tool' : frame === 0 ? 'base' : String(frame),
+  userFrame: (/** @type {string} */ id, /** @type {boolean} */ isActive) =>
+    `user frame ${id}${isActive ? ' (active)' : ''}`,
   drawnDimension: (/** @type {string} */ text) => `Dimension drawn: ${text}.`,
   building: (/** @type {number} */ row, /** @type {number} */ done) =>
     `“Build it” is open at row ${row}, with ${done} of its 4 motions done.`,

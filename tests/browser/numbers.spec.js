@@ -7,7 +7,7 @@ import { open, settled, shownPose } from './page.js';
 
 /** @param {Page} page @param {string} button @param {string | RegExp} choice */
 async function choose(page, button, choice) {
-  await page.locator(`[data-ask=${button}]`).click();
+  await page.locator(`.pose-panel [data-ask=${button}]`).click();
   await page.locator('.dropdown-menu.show').getByRole('button', { name: choice }).first().click();
   await settled(page);
 }
@@ -27,11 +27,11 @@ test('the same orientation by other names, with the free angle named at gimbal l
   await open(page);
   const note = page.locator('.pose-note');
   await expect(note).toHaveText('W and R turn about the same axis here; R is set to 0.');
-  await page.locator('[data-ask=form]').click();
+  await page.locator('.pose-panel [data-ask=form]').click();
   await expect(page.locator('.dropdown-menu.show')).toBeVisible();
   await expectAccessible(page, { within: '.right' });
   await page.getByRole('button', { name: /^KUKA ABC/ }).click();
-  await expect(page.locator('[data-ask=form]')).toHaveText('KUKA ABC');
+  await expect(page.locator('.pose-panel [data-ask=form]')).toHaveText('KUKA ABC');
   await expect(note).toHaveText('A and C turn about the same axis here; A is set to 0.');
   await page.evaluate(() => window.denavit.setJoints([10, 45, -180, 0, 35, 30]));
   await expect(note).toBeHidden();
@@ -40,7 +40,7 @@ test('the same orientation by other names, with the free angle named at gimbal l
   const length = Math.hypot(...parts.map((text) => Number(text?.replace('−', '-'))));
   expect(length).toBeCloseTo(1, 4);
   await choose(page, 'frames', 'frame 3');
-  await expect(page.locator('[data-ask=frames]')).toHaveText('Frame 3 pose in world');
+  await expect(page.locator('.pose-panel [data-ask=frames]')).toHaveText('Frame 3 pose in world');
 });
 
 test('what is seen is what is copied, in the language that was chosen last', async ({ page }) => {

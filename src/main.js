@@ -41,7 +41,6 @@ import { createJogPanel } from './ui/jogPanel.js';
 import { lazyPanel } from './ui/lazyPanel.js';
 import { createMessages } from './ui/messages.js';
 import { createOpener } from './ui/opener.js';
-import { refusedInWords, startFaultInWords } from './ui/parameterWarnings.js';
 import { createPosePanel } from './ui/posePanel.js';
 import { createRobotSections } from './ui/robotSections.js';
 import { createScripting } from './ui/scripting.js';
@@ -57,7 +56,11 @@ const clock = manualClock ?? createBrowserClock();
 const shell = createShell(parameters.panels);
 const messages = createMessages(shell.notices);
 const theme = createTheme(parameters.theme);
-refusedInWords(refused).forEach(messages.warn);
+/** Words for what the address got wrong are fetched when it did. */
+const parameterWords = () => import('./ui/parameterWarnings.js');
+if (refused.length > 0) {
+  parameterWords().then(({ refusedInWords }) => refusedInWords(refused).forEach(messages.warn), messages.fault);
+}
 
 /** @type {() => void} */
 let sayReady = () => {};
@@ -86,7 +89,11 @@ if (parameters.robot === FIRST_ROBOT) {
 function stand(robot, isOther = false) {
   const { units, q, frames, projection } = parameters;
   const { doc, faults } = startDocument(robot, { units, q, isOther });
-  for (const fault of faults) messages.warn(startFaultInWords(fault, robot.name));
+  if (faults.length > 0) {
+    parameterWords().then(({ startFaultInWords }) => {
+      for (const fault of faults) messages.warn(startFaultInWords(fault, robot.name));
+    }, messages.fault);
+  }
   /** @type {Store<AppState, Action>} */
   const store = createStore(startState(doc), reduce);
   store.dispatch({ type: 'show', change: { frames, projection } });

@@ -16,6 +16,7 @@ import { emptyState } from './emptyState.js';
 import { icon } from './icons.js';
 import { openPanel } from './page.js';
 import { TEXT } from './strings.js';
+import { CODE } from './words/code.js';
 
 /**
  * @param {Page} page
@@ -44,9 +45,9 @@ export function createCodePanel(page, host, { version, today }) {
       const action = h(
         'button',
         { type: 'button', class: 'btn btn-primary', 'data-action': 'program' },
-        TEXT.code.toProgram,
+        CODE.toProgram,
       );
-      fill(host, emptyState(TEXT.code.empty, TEXT.code.emptyDetail, action));
+      fill(host, emptyState(CODE.empty, CODE.emptyDetail, action));
       return;
     }
     const code = codeOf(doc);
@@ -58,15 +59,15 @@ export function createCodePanel(page, host, { version, today }) {
       h(
         'div',
         { class: 'table-head' },
-        h('h2', {}, TEXT.code.title),
+        h('h2', {}, CODE.title),
         h('span', { class: 'grow' }),
-        file && actionButton('save', 'download', TEXT.code.save, 'btn-primary'),
+        file && actionButton('save', 'download', CODE.save, 'btn-primary'),
       ),
       notes(code.issues.map(({ message }) => message)),
       file && [
         h(
           'div',
-          { class: 'files', role: 'group', 'aria-label': TEXT.code.files },
+          { class: 'files', role: 'group', 'aria-label': CODE.files },
           code.files.map(({ name }, i) =>
             h(
               'button',
@@ -81,13 +82,9 @@ export function createCodePanel(page, host, { version, today }) {
             ),
           ),
           h('span', { class: 'grow' }),
-          actionButton('copy', 'copy', TEXT.code.copy),
+          actionButton('copy', 'copy', CODE.copy),
         ),
-        h(
-          'pre',
-          { class: 'code', tabindex: 0, role: 'region', 'aria-label': TEXT.code.text(file.name) },
-          lines(file.text),
-        ),
+        h('pre', { class: 'code', tabindex: 0, role: 'region', 'aria-label': CODE.text(file.name) }, lines(file.text)),
       ],
     );
   }
@@ -100,12 +97,12 @@ export function createCodePanel(page, host, { version, today }) {
     })
     .on('click', '[data-action=copy]', async () => {
       const file = codeOf(store.state.doc)?.files[chosen];
-      if (file) announce((await copyText(file.text)) ? TEXT.code.copied(file.name) : TEXT.pose.copyFailed);
+      if (file) announce((await copyText(file.text)) ? CODE.copied(file.name) : TEXT.pose.copyFailed);
     })
     .on('click', '[data-action=save]', () => {
       const files = codeOf(store.state.doc)?.files ?? [];
       for (const { name, text } of files) download(name, text, 'text/plain', clock);
-      announce(TEXT.code.saved(files.map(({ name }) => name).join(', ')));
+      announce(CODE.saved(files.map(({ name }) => name).join(', ')));
     });
 
   const redraw = () => keepFocus(host, '[data-action]', () => draw(store.state.doc));
@@ -152,7 +149,7 @@ const notes = (messages) =>
     h(
       'div',
       {},
-      h('b', {}, TEXT.code.notes),
+      h('b', {}, CODE.notes),
       messages.map((message) => h('p', {}, message)),
     ),
   );

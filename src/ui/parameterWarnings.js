@@ -4,7 +4,7 @@
  * @import { Refused } from '../io/queryParameters.js'
  * @import { StartFault } from '../model/startDocument.js'
  */
-import { TEXT } from './strings.js';
+import { PARAMETER } from './words/parameters.js';
 
 const LONGEST_TEXT = 60;
 const MOST_NAMES = 4;
@@ -20,26 +20,26 @@ export function refusedInWords(refused) {
   const unknown = refused.filter(({ why }) => why === 'unknown').map(({ name }) => short(name));
   const sentences = refused.flatMap(({ why, name, text, kind, values = [], initial }) => {
     if (why === 'unknown') return [];
-    if (why === 'twice') return [TEXT.parameter.twice(name, short(text))];
-    const expected = kind && TEXT.parameter.expected[kind](values);
-    const using = initial && TEXT.parameter.using(initial);
-    return [[TEXT.parameter.notUnderstood(name, short(text)), expected, using].filter(Boolean).join(' ')];
+    if (why === 'twice') return [PARAMETER.twice(name, short(text))];
+    const expected = kind && PARAMETER.expected[kind](values);
+    const using = initial && PARAMETER.using(initial);
+    return [[PARAMETER.notUnderstood(name, short(text)), expected, using].filter(Boolean).join(' ')];
   });
   if (unknown.length === 0) return sentences;
-  return [...sentences, TEXT.parameter.unknown(unknown.slice(0, MOST_NAMES), Math.max(0, unknown.length - MOST_NAMES))];
+  return [...sentences, PARAMETER.unknown(unknown.slice(0, MOST_NAMES), Math.max(0, unknown.length - MOST_NAMES))];
 }
 
 /** @param {StartFault} fault @param {string} robot its name */
 export function startFaultInWords(fault, robot) {
   switch (fault.code) {
     case 'units':
-      return TEXT.parameter.units(fault.reason);
+      return PARAMETER.units(fault.reason);
     case 'count':
-      return TEXT.parameter.count(fault.given, fault.joints, robot);
+      return PARAMETER.count(fault.given, fault.joints, robot);
     case 'other-robot':
-      return TEXT.parameter.otherRobot;
+      return PARAMETER.otherRobot;
     case 'outside':
-      return TEXT.parameter.outside(fault.joints.map((joint) => `J${joint + 1}`).join(', '));
+      return PARAMETER.outside(fault.joints.map((joint) => `J${joint + 1}`).join(', '));
     default: {
       /** @type {never} */
       const unknown = fault;

@@ -12,7 +12,7 @@ import { emptyState } from './emptyState.js';
 import { jointNumber, unitOf, withUnit } from './format.js';
 import { icon } from './icons.js';
 import { attempt, openPanel } from './page.js';
-import { TEXT } from './strings.js';
+import { PROGRAM } from './words/program.js';
 
 /**
  * @param {Page} page
@@ -26,7 +26,7 @@ export function createProgramPanel(page, host) {
   const reasonLine = h('p', { class: 'reason sm', id: 'program-reason', role: 'note', hidden: true });
   fill(
     host,
-    h('div', { class: 'table-head' }, h('h2', {}, TEXT.program.title), h('span', { class: 'grow' }), record),
+    h('div', { class: 'table-head' }, h('h2', {}, PROGRAM.title), h('span', { class: 'grow' }), record),
     content,
     reasonLine,
   );
@@ -44,17 +44,17 @@ export function createProgramPanel(page, host) {
       const reason = attempt(page, { type: 'record-posture' });
       say(reason);
       const added = store.state.doc.postures.at(-1);
-      if (reason === null && added) announce(TEXT.program.recorded(added.id));
+      if (reason === null && added) announce(PROGRAM.recorded(added.id));
     })
     .on('click', '[data-action=go]', ({ currentTarget }) => {
       const { id, q } = postureOf(currentTarget);
       store.dispatch({ type: 'set-posture', posture: q });
-      announce(TEXT.program.went(id));
+      announce(PROGRAM.went(id));
     })
     .on('click', '[data-action=remove]', ({ currentTarget }) => {
       const { id } = postureOf(currentTarget);
       store.dispatch({ type: 'remove-posture', index: Number(currentTarget.dataset.index) });
-      announce(TEXT.program.removed(id));
+      announce(PROGRAM.removed(id));
     })
     .on('click', '[data-action=code]', () => openPanel(page, 'code'));
 
@@ -79,7 +79,7 @@ export function createProgramPanel(page, host) {
     if (reason === null) input.removeAttribute('aria-invalid');
     else input.setAttribute('aria-invalid', 'true');
     say(reason);
-    if (reason === null && isNew) announce(TEXT.program.renamed(id));
+    if (reason === null && isNew) announce(PROGRAM.renamed(id));
   }
 
   function rebuild() {
@@ -87,19 +87,19 @@ export function createProgramPanel(page, host) {
     say(null);
     record.hidden = postures.length === 0;
     if (postures.length === 0) {
-      fill(content, emptyState(TEXT.program.empty, TEXT.program.emptyDetail, recordButton('btn-primary')));
+      fill(content, emptyState(PROGRAM.empty, PROGRAM.emptyDetail, recordButton('btn-primary')));
       return;
     }
     const rows = postures.map((posture, i) => row(posture, i, robot));
     fill(
       content,
-      h('table', { class: 'moves', 'aria-label': TEXT.program.title }, head(robot), h('tbody', {}, rows)),
+      h('table', { class: 'moves', 'aria-label': PROGRAM.title }, head(robot), h('tbody', {}, rows)),
       postures.length === 1
-        ? h('p', { class: 'soft sm inset' }, TEXT.program.one)
+        ? h('p', { class: 'soft sm inset' }, PROGRAM.one)
         : h(
             'div',
             { class: 'actions inset' },
-            h('button', { type: 'button', class: 'btn btn-primary', 'data-action': 'code' }, TEXT.program.toCode),
+            h('button', { type: 'button', class: 'btn btn-primary', 'data-action': 'code' }, PROGRAM.toCode),
           ),
     );
   }
@@ -131,12 +131,12 @@ const kindsOf = ({ joints }) => joints.map(({ type }) => type).join(' ');
 
 /** @param {'btn-outline' | 'btn-primary'} [look] */
 const recordButton = (look = 'btn-outline') =>
-  h('button', { type: 'button', class: `btn ${look}`, 'data-action': 'record' }, icon('record'), TEXT.program.record);
+  h('button', { type: 'button', class: `btn ${look}`, 'data-action': 'record' }, icon('record'), PROGRAM.record);
 
 /** @param {RobotDoc} robot */
 function head({ joints, units }) {
   const used = [...new Set(joints.map((joint) => unitOf(joint, units)))].join(', ');
-  const { name, values } = TEXT.program.heads;
+  const { name, values } = PROGRAM.heads;
   return h(
     'thead',
     {},
@@ -155,10 +155,10 @@ function head({ joints, units }) {
 function nameElement(element, id, index) {
   if (element instanceof HTMLInputElement) {
     if (!('editing' in element.dataset)) element.value = element.title = id;
-    element.setAttribute('aria-label', TEXT.program.name(index + 1));
+    element.setAttribute('aria-label', PROGRAM.name(index + 1));
     return;
   }
-  const label = element.getAttribute('data-action') === 'go' ? TEXT.program.go(id) : TEXT.program.remove(id);
+  const label = element.getAttribute('data-action') === 'go' ? PROGRAM.go(id) : PROGRAM.remove(id);
   element.setAttribute('aria-label', label);
   element.setAttribute('title', label);
 }

@@ -19,7 +19,7 @@ import { h } from './dom.js';
 import { fixed } from './format.js';
 import { typesOf } from './jointTypes.js';
 import { robotPicture } from './robotPicture.js';
-import { TEXT } from './strings.js';
+import { LIBRARY as WORDS } from './words/library.js';
 
 /** @param {Page} page */
 export function openRobotPicker({ store, opener, announce }) {
@@ -30,8 +30,8 @@ export function openRobotPicker({ store, opener, announce }) {
 
   const search = h('input', {
     type: 'search',
-    placeholder: TEXT.library.searchHint,
-    'aria-label': TEXT.library.search,
+    placeholder: WORDS.searchHint,
+    'aria-label': WORDS.search,
     'aria-controls': 'robot-list',
     autocomplete: 'off',
     spellcheck: 'false',
@@ -40,7 +40,7 @@ export function openRobotPicker({ store, opener, announce }) {
   const none = h('p', { class: 'soft picker-none', hidden: true });
   const list = h(
     'div',
-    { id: 'robot-list', role: 'listbox', 'aria-label': TEXT.library.list, class: 'picker-list' },
+    { id: 'robot-list', role: 'listbox', 'aria-label': WORDS.list, class: 'picker-list' },
     families.map(({ group }) => group),
   );
 
@@ -48,7 +48,7 @@ export function openRobotPicker({ store, opener, announce }) {
   function open(robot) {
     dialog.hide();
     opener.open(newDocument(robot));
-    announce(TEXT.library.chosen(robot.name));
+    announce(WORDS.chosen(robot.name));
   }
 
   /** One option can be reached by Tab; arrow keys lead from it to the others. @param {Option | undefined} active */
@@ -63,10 +63,10 @@ export function openRobotPicker({ store, opener, announce }) {
     for (const { group, options: own } of families) group.hidden = own.every(({ element }) => element.hidden);
     const found = shown();
     hold(found.find(isOpen) ?? found[0]);
-    count.textContent = TEXT.library.found(found.length);
+    count.textContent = WORDS.found(found.length);
     list.hidden = found.length === 0;
     none.hidden = found.length > 0;
-    none.textContent = TEXT.library.none(search.value.trim());
+    none.textContent = WORDS.none(search.value.trim());
   }
 
   search.addEventListener('input', filter);
@@ -104,7 +104,7 @@ export function openRobotPicker({ store, opener, announce }) {
       h(
         'div',
         { class: 'row-flex picker-head' },
-        h('h2', { id: 'picker-title' }, TEXT.library.title),
+        h('h2', { id: 'picker-title' }, WORDS.title),
         h('div', { class: 'field picker-search' }, search, count),
         closeButton(),
       ),
@@ -127,7 +127,7 @@ const isOpen = ({ element }) => element.getAttribute('aria-selected') === 'true'
 
 /** @param {Family} family @param {readonly string[]} ids @param {string} openName */
 function familyOf(family, ids, openName) {
-  const title = TEXT.library.family[family];
+  const title = WORDS.family[family];
   const heading = `robots-${family}`;
   const options = ids.map((id) => optionOf(id, LIBRARY[id], { title, isOpen: LIBRARY[id].name === openName }));
   const group = h(
@@ -148,7 +148,7 @@ function familyOf(family, ids, openName) {
 function optionOf(id, robot, { title, isOpen }) {
   const sketch = sketchRobot(robot);
   const reach = `${fixed(sketch.reach, 0)} ${robot.units.length}`;
-  const facts = TEXT.library.facts(typesOf(robot), robot.joints.length, reach);
+  const facts = WORDS.facts(typesOf(robot), robot.joints.length, reach);
   const { source = '' } = robot.info;
   const element = h(
     'div',
@@ -157,7 +157,7 @@ function optionOf(id, robot, { title, isOpen }) {
     h(
       'div',
       {},
-      h('div', { class: 'b' }, robot.name, ' ', isOpen && h('span', { class: 'open-now' }, TEXT.library.isOpen)),
+      h('div', { class: 'b' }, robot.name, ' ', isOpen && h('span', { class: 'open-now' }, WORDS.isOpen)),
       h('div', { class: 'facts' }, facts),
       h('div', { class: 'cite' }, source),
     ),
@@ -169,28 +169,23 @@ function optionOf(id, robot, { title, isOpen }) {
 function newRobotButtons(open) {
   const counts = Array.from({ length: MAX_JOINTS - MIN_JOINTS + 1 }, (_, i) => MIN_JOINTS + i);
   const buttons = counts.map((joints) => {
-    const label = TEXT.library.fresh(joints);
+    const label = WORDS.fresh(joints);
     const button = h(
       'button',
       { type: 'button', class: 'btn btn-outline', 'aria-label': label, title: label },
       `${joints}`,
     );
-    button.addEventListener('click', () => open(newRobot(joints, TEXT.library.freshName)));
+    button.addEventListener('click', () => open(newRobot(joints, WORDS.freshName)));
     return button;
   });
   return h(
     'div',
     { class: 'picker-new' },
+    h('div', { class: 'grow' }, h('h3', {}, WORDS.freshTitle), h('p', { class: 'soft sm' }, WORDS.freshHint)),
     h(
       'div',
-      { class: 'grow' },
-      h('h3', {}, TEXT.library.freshTitle),
-      h('p', { class: 'soft sm' }, TEXT.library.freshHint),
-    ),
-    h(
-      'div',
-      { class: 'row-flex', role: 'group', 'aria-label': TEXT.library.freshTitle },
-      h('span', { class: 'soft sm', 'aria-hidden': 'true' }, TEXT.library.joints),
+      { class: 'row-flex', role: 'group', 'aria-label': WORDS.freshTitle },
+      h('span', { class: 'soft sm', 'aria-hidden': 'true' }, WORDS.joints),
       buttons,
     ),
   );

@@ -5,16 +5,12 @@
  */
 import { AIM, VERDICT } from './words/aim.js';
 import { BAR } from './words/bar.js';
-import { CODE } from './words/code.js';
 import { DRAG } from './words/drag.js';
 import { FILES } from './words/files.js';
 import { FIRST_VISIT } from './words/firstVisit.js';
 import { NUMBER } from './words/input.js';
 import { JOG } from './words/jog.js';
-import { LIBRARY } from './words/library.js';
-import { PARAMETER } from './words/parameters.js';
 import { POSE } from './words/pose.js';
-import { PROGRAM } from './words/program.js';
 import { ROBOT } from './words/robot.js';
 import { STRUCTURE } from './words/structure.js';
 import { TABLE, DEFINITION } from './words/table.js';
@@ -38,18 +34,14 @@ export const TEXT = {
 
   aim: AIM,
   bar: BAR,
-  code: CODE,
   definition: DEFINITION,
   drag: DRAG,
   files: FILES,
   firstVisit: FIRST_VISIT,
   jog: JOG,
-  library: LIBRARY,
   number: NUMBER,
   panels: PANELS,
-  parameter: PARAMETER,
   pose: POSE,
-  program: PROGRAM,
   robot: ROBOT,
   structure: STRUCTURE,
   table: TABLE,

@@ -43,6 +43,8 @@ export function createReasons(id) {
         refused.delete(field);
         field.removeAttribute('aria-describedby');
       } else {
+        // Said again as the field is left, it stays as it is: a button of it may be what the hand is on.
+        if (refused.get(field)?.reason === reason) return;
         refused.set(field, { reason, ways: answer?.ways ?? [], ...(settle && { settle }) });
         field.setAttribute('aria-describedby', id);
       }

@@ -33,12 +33,26 @@ export const FILE_ISSUES = Object.freeze({
   'missing-attribute': 'error',
   'older-name': 'warning',
   // its values
+  'id-taken': 'error',
+  'joint-count': 'error',
   number: 'error',
   choice: 'error',
   pattern: 'error', // ids and colours
   'text-length': 'error',
   'quaternion-rounded': 'warning', // brought to length 1
   'not-finite': 'error', // the arm has no computable pose
+  // what only other formats can have
+  xacro: 'error', // macros from which a URDF is yet to be made
+  'not-a-tree': 'error',
+  'unknown-link': 'error',
+  'joint-type': 'error', // one that no table has: planar, floating
+  mimic: 'error', // a joint of the chain that follows another
+  'limits-crossed': 'error',
+  'not-exact': 'error', // no table that is the same arm was found
+  'axis-length': 'warning',
+  'limit-missing': 'warning',
+  'mesh-name': 'warning',
+  'not-read': 'warning', // something of another format
 });
 
 /**

@@ -20,6 +20,7 @@
 import { noCandidates } from './candidates.js';
 import { halfAngle } from './halfAngle.js';
 import { compose, invert } from '../pose.js';
+import { straightening, sumSlack } from './straightening.js';
 import { threeParallelLines } from './threeParallelLines.js';
 
 /** Axes in line to this sine, or points nearer than this part of the arm's length, are one: half of what is checked later. */
@@ -134,8 +135,9 @@ function solveFifth(arm, q1, found) {
     solveInLine(arm, q1, q5, found);
     return;
   }
-  solveSum(arm, q1, nearest5 + half, found);
-  if (half > 0 && half < Math.PI) solveSum(arm, q1, nearest5 - half, found);
+  const slack = sumSlack(tilt);
+  solveSum(arm, q1, nearest5 + half, slack, found);
+  if (half > 0 && half < Math.PI) solveSum(arm, q1, nearest5 - half, slack, found);
 }
 
 /** @param {ThreeParallel} arm @param {number} q5 */
@@ -155,13 +157,15 @@ function turnFifth({ turns5 }, q5) {
  * @param {ThreeParallel} arm
  * @param {number} q1
  * @param {number} q5
+ * @param {number} slack  of φ, radians
  * @param {Candidates} found
  */
-function solveSum(arm, q1, q5, found) {
+function solveSum(arm, q1, q5, slack, found) {
   turnFifth(arm, q5);
   const x = turned[0];
   const y = turned[1];
-  solveElbow(arm, q1, q5, Math.atan2(x * left[1] - y * left[0], x * left[0] + y * left[1]), found);
+  const sum = Math.atan2(x * left[1] - y * left[0], x * left[0] + y * left[1]);
+  solveElbow(arm, q1, q5, sum + straightening(arm, wrist, sum, slack), found);
 }
 
 /**

@@ -177,6 +177,9 @@ test('a text that a change of units keeps comes to the changed number', () => {
 const wrap = (/** @type {Printed} */ { text, rank }, /** @type {number} */ least) =>
   rank < least ? `(${text})` : text;
 
+/** What has no value has none to the power of nothing either; JavaScript makes it 1. @param {number} x @param {number} y */
+const power = (x, y) => (Number.isNaN(x) ? NaN : x ** y);
+
 /** @type {(operator: string, x: Printed, y: Printed) => Printed} */
 function join(operator, x, y) {
   switch (operator) {
@@ -189,7 +192,7 @@ function join(operator, x, y) {
     case '/':
       return { value: x.value / y.value, text: `${wrap(x, 1)} / ${wrap(y, 2)}`, rank: 1 };
     default:
-      return { value: x.value ** y.value, text: `${wrap(x, 4)}^${wrap(y, 3)}`, rank: 3 };
+      return { value: power(x.value, y.value), text: `${wrap(x, 4)}^${wrap(y, 3)}`, rank: 3 };
   }
 }
 

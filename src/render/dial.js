@@ -50,6 +50,15 @@ export function dialFace({ joint, seat, size, skin }) {
       fill.spread(0, shown, at);
       spanLine(needle, at(shown, 0.3), at(shown, 1.1));
     },
+    beyond(limit, value) {
+      const end = inSight(value);
+      const strip = band(STEPS, skin.bad, 0.5);
+      strip.spread(limit, end, at);
+      return [
+        strip.mesh,
+        fatLines([...at(end, 0.72), ...at(end, 1.08)], { color: skin.bad, width: 2.5, order: ORDER + 2 }),
+      ];
+    },
     tip: (q) => at(inSight(q), 1.1),
     centre: () => [0, 0, seat.at],
     // the two stops of a full turn are in one place: their words stand to either side

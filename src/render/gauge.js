@@ -8,14 +8,20 @@
  * @typedef {object} GaugeText
  * @property {(index: number) => string} jointValue
  * @property {(index: number, which: 'lower' | 'upper') => string} jointLimit
+ * @property {(index: number, by: number) => string} jointExcess  by: radians or metres past the limit
+ *
+ * @typedef {{ joint: number, by: number, bound: 'lower' | 'upper' }} Excess  where a joint would have to go
  */
 import { Group, Vector3 } from 'three';
 import { dialFace } from './dial.js';
 import { disposeOf } from './fatLines.js';
 import { railFace } from './rail.js';
 
-/** @param {FaceOptions & { index: number, labels: LabelLayer, text: GaugeText }} options  `index` is the joint's */
-export function createGauge({ index, labels, text, ...options }) {
+/**
+ * @param {FaceOptions & { index: number, excess: Excess | null, labels: LabelLayer, text: GaugeText }} options
+ *   `index` is the joint's
+ */
+export function createGauge({ index, excess, labels, text, ...options }) {
   const { joint, seat } = options;
   const group = new Group();
   group.matrixAutoUpdate = false;
@@ -41,6 +47,20 @@ export function createGauge({ index, labels, text, ...options }) {
       return label;
     });
   const value = addLabel('dim', 10);
+  const past = excess ? drawExcess(excess) : [];
+
+  /** @param {Excess} wanted */
+  function drawExcess({ by, bound }) {
+    const limit = joint[bound];
+    const end = bound === 'upper' ? limit + by : limit - by;
+    const drawn = face.beyond(limit, end);
+    group.add(...drawn);
+    const label = addLabel('miss', 8);
+    put(label, end);
+    label.write(text.jointExcess(index, by));
+    limits.push(label);
+    return drawn;
+  }
 
   return {
     group,
@@ -52,7 +72,7 @@ export function createGauge({ index, labels, text, ...options }) {
     },
     dispose() {
       group.removeFromParent();
-      [...face.still, ...face.moving].forEach(disposeOf);
+      [...face.still, ...face.moving, ...past].forEach(disposeOf);
       [...limits, value].forEach((label) => label.remove());
     },
   };

@@ -13,6 +13,7 @@
  * @property {Mesh[]} moving   moved by `turnTo`
  * @property {number[]} stops  the limits that it shows
  * @property {(q: number) => void} turnTo
+ * @property {(from: number, to: number) => Mesh[]} beyond  from a limit to a value past it
  * @property {(q: number) => [number, number, number]} tip     of the pointer, or of a stop's mark
  * @property {(q: number) => [number, number, number]} centre  that words about `tip` keep away from
  * @property {(q: number) => number} besideStop  where, as a value, the words about a stop go

@@ -4,7 +4,7 @@
  * @import { Group, Scene } from 'three'
  * @import { ArmParts } from './armParts.js'
  * @import { Eye } from './eye.js'
- * @import { Gauge, GaugeText } from './gauge.js'
+ * @import { Excess, Gauge, GaugeText } from './gauge.js'
  * @import { LabelLayer } from './labels.js'
  * @import { Skin } from './skins.js'
  * @import { WantedPose } from './wantedPose.js'
@@ -47,6 +47,8 @@ export function createMarks({ scene, linkGroup, skin, labels, text }) {
   let arm = null;
   /** @type {number | null} */
   let held = null;
+  /** @type {Excess | null} of the joint that is held */
+  let excess = null;
   /** @type {Target | null} */
   let target = null;
   /** @type {Gauge | null} */
@@ -68,6 +70,7 @@ export function createMarks({ scene, linkGroup, skin, labels, text }) {
     if (held !== null && held < chain.dof) {
       gauge = createGauge({
         index: held,
+        excess,
         joint: chain.joints[held],
         seat: parts.joints[held],
         size,
@@ -104,10 +107,10 @@ export function createMarks({ scene, linkGroup, skin, labels, text }) {
       arm = next;
       build();
     },
-    /** @param {number | null} index @returns {boolean} whether that changed anything */
-    hold(index) {
-      if (index === held) return false;
-      held = index;
+    /** @param {number | null} index @param {Excess | null} past @returns {boolean} whether that changed anything */
+    hold(index, past) {
+      if (index === held && past === excess) return false;
+      [held, excess] = [index, past];
       build();
       return true;
     },

@@ -30,6 +30,10 @@ export function railFace({ joint: { d, lower, upper }, seat, size, skin }) {
       spanLine(fill, at(0, 0), at(q, 0));
       spanLine(pointer, at(q, -1.6 * tick), at(q, 1.6 * tick));
     },
+    beyond: (limit, value) => [
+      fatLines([...at(limit, 0), ...at(value, 0)], { color: skin.bad, width: 7, opacity: 0.5, order: ORDER }),
+      fatLines([...at(value, -tick), ...at(value, tick)], { color: skin.bad, width: 2.5, order: ORDER + 2 }),
+    ],
     tip: (q) => at(q, 1.6 * tick),
     centre: (q) => at(q, 0),
     besideStop: (q) => q,

@@ -22,6 +22,7 @@
 import { isAtAnswer, poseFromXyzwpr } from '../model/aim.js';
 import { compileLinkStyles, compilePose, compilePosture } from '../model/compile.js';
 import { targetPose } from '../model/frames.js';
+import { lostWanted } from '../model/lostShown.js';
 import { memo } from '../model/memo.js';
 import { isRowField, motionAt } from '../model/rowMotions.js';
 import { together } from '../model/views.js';
@@ -37,7 +38,7 @@ const SMALL = 450;
 /**
  * @param {State} state
  * @param {Omit<StageOptions, 'clock'> & {
- *   text: StageOptions['text'] & { dimension: (joint: number, field: DhField) => LabelText },
+ *   text: StageOptions['text'] & { lost: { along: string, about: string }, dimension: (joint: number, field: DhField) => LabelText },
  *   onError: (error: unknown) => void,
  * }} options
  * @returns the stage; null without WebGL
@@ -60,7 +61,15 @@ export function createRobotView({ store, addView, derived, clock }, options) {
     },
   );
   addView(({ doc, session }) => litJoint(doc.robot.convention, session), stage.highlightJoint);
-  addView(({ session }) => gaugedJoint(session), stage.holdJoint);
+  addView(
+    together(({ session }) => [gaugedJoint(session), session.answer]),
+    ([held, answer]) => {
+      // the joint that would have to go past its limit is shown unless another is in hand
+      const limit = (answer?.status === 'outside-limits' && answer.result.limit) || null;
+      const joint = held ?? limit?.joint ?? null;
+      stage.holdJoint(joint, limit?.joint === joint ? limit : null);
+    },
+  );
   addView(
     together(({ doc, session }) => [doc.robot, session.target, doc.posture, session.answer]),
     ([robot, target, posture, answer]) => {
@@ -173,6 +182,12 @@ export function createRobotView({ store, addView, derived, clock }, options) {
       withUserFrames(frames.length > 0, (marks) => marks.want(frames));
     },
   );
+
+  const withLost = whenWanted(async () => {
+    const { createLostMark } = await import('./lostMark.js');
+    return (tools) => createLostMark({ ...tools, text: options.text.lost });
+  });
+  addView(lostWanted, (wanted) => withLost(wanted !== null, (marks) => marks.want(wanted)));
 
   const withBuild = whenWanted(async () => (await import('./buildMarks.js')).createBuildMarks);
   addView(

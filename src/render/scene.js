@@ -4,6 +4,7 @@
  * `castsAnew` that the shadow is no longer right.
  *
  * @import { Eye } from './eye.js'
+ * @import { Excess } from './gauge.js'
  * @import { ArmNow, MarkSet, MarkText, MarkTools } from './marks.js'
  * @import { LabelLayer } from './labels.js'
  * @import { LinkStyle } from './linkPieces.js'
@@ -148,9 +149,9 @@ export function createScene({ skin, isLow, labels, text, onChange, onGridStep })
       onChange({ castsAnew: false });
     },
 
-    /** @param {number | null} index  of the joint that is being moved */
-    holdJoint(index) {
-      if (marks.hold(index)) onChange({ castsAnew: false });
+    /** @param {number | null} index  of the joint that is being moved @param {Excess | null} [excess]  where it would have to go */
+    holdJoint(index, excess = null) {
+      if (marks.hold(index, excess)) onChange({ castsAnew: false });
     },
 
     /**

@@ -39,6 +39,16 @@ export function createSceneText({ store }) {
       return limit === undefined ? '' : withUnit(editable(limit), unitOf(joint, robot().units));
     },
 
+    /** @param {number} index @param {number} by  radians or metres */
+    jointExcess(index, by) {
+      const joint = robot().joints[index];
+      const unit = unitOf(joint, robot().units);
+      const past = fromKernel(quantityOf(joint, 'home'), by, robot().units);
+      return `J${index + 1} +${withUnit(jointNumber(past, unit), unit)}`;
+    },
+
+    lost: TEXT.drag.lost,
+
     /** @param {number} metres */
     missing: (metres) => withUnit(poseNumber(length(metres), robot().units.length), robot().units.length),
 

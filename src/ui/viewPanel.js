@@ -15,6 +15,7 @@ import { createBuildButton } from './buildButton.js';
 import { fill, h } from './dom.js';
 import { createHandleBar, createHandleButton } from './handleBar.js';
 import { icon } from './icons.js';
+import { createLostLine } from './lostLine.js';
 import { asText, createSceneText } from './sceneText.js';
 import { TEXT } from './strings.js';
 import { createViewCube } from './viewCube.js';
@@ -55,6 +56,7 @@ export function createViewPanel(page, host, { poseInWords, isCalm, isWide }) {
   const grid = h('span', { class: 'scale' });
   fill(host, stageHost, tools, cube.element, grid);
   createHandleBar(page, host, { isWide, poseInWords });
+  createLostLine(page, host);
   $(fit).on('click', () => look(null));
 
   const robot = () => store.state.doc.robot;

@@ -13,6 +13,8 @@ export const DRAG = {
   fewReach: (/** @type {string} */ by) => `This arm cannot bring the tool there: ${by} short.`,
   orientation: (/** @type {string} */ by) => `The arm cannot turn the tool this way here: ${by} short.`,
   singularity: (/** @type {string} */ joint) => `Singularity: ${joint} has to turn far first.`,
+  /** In the scene, on a double arrow and on a ring. */
+  lost: { along: 'no motion this way', about: 'no turn about this' },
   part: (/** @type {string} */ by) => `With its few joints the arm keeps the place; the orientation is ${by} off.`,
   taken: {
     move: (/** @type {string} */ axes) =>

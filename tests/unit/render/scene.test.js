@@ -41,6 +41,7 @@ function createStill() {
     text: {
       jointValue: (index) => `value of ${index}`,
       jointLimit: (index, which) => `${which} of ${index}`,
+      jointExcess: (index, by) => `${index} past by ${by}`,
       missing: (metres) => `${metres.toFixed(3)} m`,
     },
     onChange(change) {
@@ -230,6 +231,28 @@ describe('the joint in hand', () => {
     scene.holdJoint(null);
     expect(labels.texts('dim')).toEqual([]);
     expect(labels.texts('tick')).toEqual([]);
+  });
+
+  test('has an arc of its own past its limit, as long as it would have to go, with the number', () => {
+    const { scene, labels } = createStill();
+    scene.showArm(puma, []);
+    scene.showPosture(home);
+    for (const bound of /** @type {const} */ (['lower', 'upper'])) {
+      scene.holdJoint(1, { joint: 1, by: 0.5, bound });
+      expect(labels.texts('miss')).toEqual(['1 past by 0.5']);
+      const [excess] = labels.all.filter(({ className }) => className === 'miss');
+      const [lower, upper] = labels.all.filter(({ className }) => className === 'tick');
+      const from = excess.from ?? new Vector3();
+      // seen from the axis, as far from the limit as it is past it, on the side away from the other
+      const turn = (/** @type {Vector3} */ a, /** @type {Vector3} */ b) =>
+        a.clone().sub(from).angleTo(b.clone().sub(from));
+      expect(turn(excess.at, (bound === 'lower' ? lower : upper).at)).toBeCloseTo(0.5, 9);
+      expect(turn(excess.at, (bound === 'lower' ? upper : lower).at)).toBeCloseTo((90 / 180) * Math.PI - 0.5, 6);
+    }
+    scene.holdJoint(1);
+    expect(labels.texts('miss')).toEqual([]);
+    scene.holdJoint(null);
+    expect(labels.all.some(({ className }) => className === 'miss')).toBe(false);
   });
 
   test('has no words about limits that it does not have', () => {

@@ -1,0 +1,25 @@
+/**
+ * What the double arrow at a singularity says, in words, above the handle's bar. What finds the direction is fetched when it
+ * is first looked for.
+ *
+ * @import { Page } from './page.js'
+ */
+import { lostWanted } from '../model/lostShown.js';
+import { h } from './dom.js';
+
+/** @param {Page} page @param {HTMLElement} view */
+export function createLostLine(page, view) {
+  const line = h('p', { class: 'float lost-line', hidden: true });
+  view.querySelector('.handle-bar')?.prepend(line);
+  let isFetched = false;
+  page.addView(lostWanted, async (wanted) => {
+    if (wanted === null || isFetched) return;
+    isFetched = true;
+    try {
+      (await import('./lostWords.js')).runLostLine(page, line);
+    } catch (error) {
+      isFetched = false; // and again when it is next wanted
+      page.messages.fault(error);
+    }
+  });
+}

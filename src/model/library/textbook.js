@@ -27,17 +27,17 @@ export const TEXTBOOK = {
   ]),
   anthropomorphic_3r: robot(
     'Anthropomorphic arm 3R',
-    'Siciliano et al., Robotics: Modelling, Planning and Control (2009), sec. 2.9.4; lengths, the column of 400 mm and limits chosen here',
+    'Siciliano et al., Robotics: Modelling, Planning and Control (2009), ch. 2; lengths, the column of 400 mm and limits chosen here',
     [turn(0, 400, 0, 90, -170, 170, 0), turn(0, 0, 400, 0, -30, 210, 70), turn(0, 0, 400, 0, -150, 150, -80)],
   ),
   spherical_wrist: robot(
     'Spherical wrist',
-    'Siciliano et al., Robotics: Modelling, Planning and Control (2009), sec. 2.9.5; d of the last joint and limits chosen here',
+    'Siciliano et al., Robotics: Modelling, Planning and Control (2009), ch. 2; d of the last joint and limits chosen here',
     [turn(0, 0, 0, -90, -180, 180, 0), turn(0, 0, 0, 90, -120, 120, 45), turn(0, 200, 0, 0, -180, 180, 0)],
   ),
   polar_rrp: robot(
     'Spherical arm RRP',
-    'Spong, Hutchinson and Vidyasagar, Robot Modeling and Control (2006), ex. 3.5 (first three joints of the Stanford arm); lengths and limits chosen here',
+    'Spong, Hutchinson and Vidyasagar, Robot Modeling and Control (2006), ch. 3 (first three joints of the Stanford arm); lengths and limits chosen here',
     [turn(0, 600, 0, -90, -170, 170, 0), turn(0, 120, 0, 90, -120, 120, 60), slide(0, 0, 0, 0, 300, 1200, 800)],
   ),
   stanford: robot(

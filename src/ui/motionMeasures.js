@@ -92,7 +92,7 @@ export function createMotionMeasures({ store, derived }) {
     const others = motion.lostFreedoms > 1 ? WORDS.alsoLost(motion.lostFreedoms) : '';
     fill(worst, h('b', {}, `${head}: `), `${motionText}${WORDS.in(axes)}${others}.`);
     const rates = motion.joints
-      .map(({ joint, share }) => `J${joint + 1} ${share < 0 ? '−' : '+'}${fixed(Math.abs(share), 2)}`)
+      .map(({ joint, share }) => `J${joint + 1}\u00a0${share < 0 ? '−' : '+'}${fixed(Math.abs(share), 2)}`)
       .join(', ');
     joints.textContent = (motion.isLost ? WORDS.still : WORDS.price)(rates);
   }

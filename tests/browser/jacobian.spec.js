@@ -59,7 +59,7 @@ test('the gauge leads to the wrist singularity, the ellipsoid goes flat, and tor
   await page.keyboard.press('Enter');
   await expect(panel(page)).toContainText('Singular here: wrist singularity.');
   await expect(panel(page)).toContainText('Lost here:');
-  await expect(panel(page)).toContainText(/Joint rates that move nothing: J[46] [+−]0\.71, J[46] [+−]0\.71\./);
+  await expect(panel(page)).toContainText(/Joint rates that move nothing: J[46]\s[+−]0\.71, J[46]\s[+−]0\.71\./);
   expect((await joints(page))[4]).toBeCloseTo(0, 9);
   await page.keyboard.press('Control+z');
   expect((await joints(page))[4]).toBe(52);

@@ -31,7 +31,20 @@ test('a target out of reach says by how much, leaves the arm, and offers the nea
   expect(await tool(page)).toEqual(place);
   await page.getByRole('button', { name: 'Go as near as found' }).click();
   expect((await tool(page))[0]).toBeGreaterThan(0.8);
-  await expect(page.locator('.tag.miss')).toContainText('mm');
+  await expect(page.locator('.tag.miss').filter({ hasText: 'mm' })).toBeVisible();
+  await expect(page.locator('.lost-line')).toContainText('Lost here: moving along X 1.00');
+  await expect(page.locator('.tag.miss').filter({ hasText: 'no motion this way' })).toBeVisible();
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(page.locator('.lost-line')).toBeHidden();
+});
+
+test('a target that only a joint past its limit would reach says by how much, on the joint’s dial too', async ({
+  page,
+}) => {
+  await open(page);
+  await aimAt(page, { X: -300, Y: -500, Z: 100, W: 0, P: 0, R: 0 });
+  await expect(page.locator('.verdict-line')).toContainText('Only outside the limits: J2 would have to go 22.1° past');
+  await expect(page.locator('.tag.miss').filter({ hasText: 'J2 +22.1°' })).toBeVisible();
 });
 
 test('an arm with four joints meets what it can, and says what that is', async ({ page }) => {

@@ -1,5 +1,6 @@
 /** The tool is dragged in the scene, with real pointer events. */
 import { expect, test } from '@playwright/test';
+import { expectAccessible } from './accessible.js';
 import { open, settled, tool } from './page.js';
 
 /** The farthest that a joint may go in one frame, degrees: 0.25 rad. */
@@ -164,6 +165,7 @@ test('keys alone take the tool, move it, turn it and give it back; a step is one
     await page.keyboard.press('t');
     await expect(page.locator('.drag-line')).toBeVisible({ timeout: 500 });
   }).toPass();
+  await expectAccessible(page, { within: '.handle-bar' });
   await page.keyboard.press('ArrowRight');
   await settled(page);
   const moved = await tool(page);

@@ -8,7 +8,7 @@
  */
 import { compilePose } from './compile.js';
 import { identityPose } from './document.js';
-import { compose, identity } from '../kinematics/pose.js';
+import { compose, identity, invert } from '../kinematics/pose.js';
 
 /** Which of the document's fields names the active frame of a kind. */
 export const ACTIVE = /** @type {const} */ ({ tool: 'activeTool', user: 'activeUser' });
@@ -96,4 +96,15 @@ export function targetPose({ frames, robot: { units } }, target) {
   const T = compilePose(target, units);
   const frame = target.frame !== undefined && frames.find(({ kind, id }) => kind === 'user' && id === target.frame);
   return frame ? compose(compilePose(frame, units), T) : T;
+}
+
+/**
+ * A pose that is given in the world, as a target in a user frame keeps it.
+ * @param {Pick<Doc, 'frames' | 'robot'>} doc
+ * @param {string} id  of a user frame
+ * @param {Float64Array} T_world_target
+ */
+export function seenFromUser({ frames, robot: { units } }, id, T_world_target) {
+  const frame = frames.find((one) => one.kind === 'user' && one.id === id) ?? null;
+  return compose(invert(framePose(frame, units)), T_world_target);
 }

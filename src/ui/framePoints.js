@@ -56,7 +56,7 @@ export function createFramePoints({ store, derived, announce }, on) {
 
   function make() {
     const [origin, onX, onPlane] = points;
-    if (!origin || !onX || !onPlane) return FRAMES.missing(FRAMES.point[points.indexOf(null)].toLowerCase());
+    if (!origin || !onX || !onPlane) return FRAMES.missing(FRAMES.point[points.indexOf(null)]);
     const found = frameFromPoints([origin, onX, onPlane]);
     if ('fault' in found) return FRAMES.fault[found.fault];
     return on.make(poseInUnits(found.T_world_frame, store.state.doc.robot.units));

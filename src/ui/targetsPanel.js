@@ -5,8 +5,9 @@
  * @import { Page } from './page.js'
  */
 import $ from 'jquery/slim';
-import { xyzwprOf } from '../model/aim.js';
-import { targetPose } from '../model/frames.js';
+import { poseFromXyzwpr, xyzwprOf } from '../model/aim.js';
+import { seenFromUser, targetPose } from '../model/frames.js';
+import { poseInUnits } from '../model/poseNumbers.js';
 import { configurationAt } from '../model/solutions.js';
 import { together } from '../model/views.js';
 import './css/targets.css';
@@ -23,9 +24,10 @@ export function createTargetsPanel(page, host) {
   const { store, addView, derived, announce } = page;
   const keep = h('button', { type: 'button', class: 'btn btn-outline' }, icon('plus'), TARGETS.keep);
   const list = h('ul', { class: 'targets', 'aria-label': TARGETS.list });
+  const inFrame = h('p', { class: 'soft sm', hidden: true });
   const none = h('p', { class: 'soft sm' }, TARGETS.none);
   const reason = h('p', { class: 'reason sm', id: 'target-reason', role: 'status', hidden: true });
-  fill(host, none, list, reason, keep);
+  fill(host, none, list, reason, inFrame, keep);
 
   /** @param {string | null} text */
   function say(text) {
@@ -33,18 +35,25 @@ export function createTargetsPanel(page, host) {
     reason.hidden = text === null;
   }
 
-  /** What the target fields say now, as the document keeps it; with the configuration, where the arm stands there. */
-  function present() {
+  /**
+   * What the target fields say now, as the document keeps it; with the configuration, where the arm stands there. As on a
+   * pendant it is kept in the user frame that is active, and then moves with it.
+   * @param {string | undefined} frame  the user frame that it is given in
+   */
+  function present(frame) {
     const { doc, session } = store.state;
     const [x, y, z, ...rpy] = session.target ?? derived.xyzwpr(doc);
-    const pose = { xyz: [x, y, z], rpy };
-    if (session.target) return { pose };
+    const isInWorld = frame === undefined;
+    const T = () => (session.target ? poseFromXyzwpr(doc.robot, session.target) : derived.tcp(doc));
+    const pose = isInWorld ? { xyz: [x, y, z], rpy } : poseInUnits(seenFromUser(doc, frame, T()), doc.robot.units);
+    const given = { pose, ...(!isInWorld && { frame }) };
+    if (session.target) return given;
     const { text } = configurationAt(doc.robot, derived.chain(doc), doc.posture).fanuc;
-    return { pose, ...(text !== null && { configuration: text }) };
+    return { ...given, ...(text !== null && { configuration: text }) };
   }
 
   keep.addEventListener('click', () => {
-    const against = attempt(page, { type: 'add-target', ...present() });
+    const against = attempt(page, { type: 'add-target', ...present(store.state.doc.activeUser) });
     say(against);
     announce(against ?? TARGETS.kept(store.state.doc.targets.at(-1)?.id ?? ''));
   });
@@ -60,7 +69,7 @@ export function createTargetsPanel(page, host) {
         store.dispatch({ type: 'show', change: { target, answer: null } });
         announce(TARGETS.aimed(id));
       } else if (action === 'set') {
-        say(attempt(page, { type: 'edit-target', index, ...present() }));
+        say(attempt(page, { type: 'edit-target', index, ...present(targets[index].frame) }));
         announce(TARGETS.setDone(id));
       } else if (action === 'up') {
         say(attempt(page, { type: 'move-target', index, to: index - 1 }));
@@ -82,21 +91,23 @@ export function createTargetsPanel(page, host) {
     });
 
   addView(
-    together(({ doc }) => [doc.targets]),
-    ([targets]) => {
+    together(({ doc }) => [doc.targets, doc.activeUser]),
+    ([targets, user]) => {
       none.hidden = targets.length > 0;
+      inFrame.hidden = user === undefined;
+      inFrame.textContent = user === undefined ? '' : TARGETS.inFrame(user);
       keepFocus(list, 'button', () =>
         fill(
           list,
-          targets.map(({ id }, i) => row(id, i)),
+          targets.map(({ id, frame }, i) => row(id, i, frame)),
         ),
       );
     },
   );
 }
 
-/** @param {string} id @param {number} index */
-function row(id, index) {
+/** @param {string} id @param {number} index @param {string} [frame]  that it is given in */
+function row(id, index, frame) {
   /** @param {string} action @param {string} label @param {...(Node | string)} content */
   const button = (action, label, ...content) =>
     h(
@@ -118,6 +129,7 @@ function row(id, index) {
       ...{ type: 'text', value: id, autocomplete: 'off', spellcheck: 'false', 'aria-label': TARGETS.name(id) },
       ...{ 'data-index': index, 'aria-describedby': 'target-reason' },
     }),
+    frame !== undefined && h('span', { class: 'soft sm', title: TARGETS.givenIn(frame) }, frame),
     button('aim', TARGETS.aim(id), TARGETS.aimShort),
     button('set', TARGETS.set(id), TARGETS.setShort),
     index > 0 && button('up', TARGETS.up(id), TARGETS.upShort),

@@ -4,6 +4,8 @@ export const TARGETS = {
   list: 'Named targets',
   none: 'None yet. A target keeps a pose of the tool with the robot, under a name.',
   keep: 'Keep this target',
+  inFrame: (/** @type {string} */ frame) => `Kept in the user frame ${frame}, and moved with it.`,
+  givenIn: (/** @type {string} */ frame) => `Given in the user frame ${frame}`,
   kept: (/** @type {string} */ name) => `Kept as ${name}.`,
   name: (/** @type {string} */ name) => `Name of ${name}`,
   aim: (/** @type {string} */ name) => `Aim at ${name}`,

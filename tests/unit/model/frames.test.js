@@ -4,7 +4,7 @@ import { describe, expect, test } from 'vitest';
 import { readRobotXml, writeRobotXml } from '../../../src/io/robotXml.js';
 import { jogFramePose } from '../../../src/model/jogFrame.js';
 import { createDerived } from '../../../src/model/derived.js';
-import { targetPose } from '../../../src/model/frames.js';
+import { seenFromUser, targetPose } from '../../../src/model/frames.js';
 import { LIBRARY, newDocument } from '../../../src/model/library.js';
 import { refusal } from '../../../src/model/refusals.js';
 import { reduce, startState } from '../../../src/model/session.js';
@@ -208,6 +208,8 @@ describe('a user frame', () => {
     // 100 along the frame's x, which is the world's y
     const place = (/** @type {Doc} */ now) => Array.from(targetPose(now, now.targets[0]).slice(12, 15));
     expect(farthest(place(doc), [0.4, -0.1, 0.07])).toBeLessThan(1e-12);
+    const back = seenFromUser(doc, 'user_1', targetPose(doc, doc.targets[0]));
+    expect(farthest(back.slice(12, 15), [0.1, 0, 0.02])).toBeLessThan(1e-12);
     doc = act(store, { type: 'edit-frame', index: 0, pose: { ...TABLE, xyz: [500, -200, 50] } });
     expect(farthest(place(doc), [0.5, -0.1, 0.07])).toBeLessThan(1e-12);
     doc = act(store, { type: 'rename-frame', index: 0, id: 'table' });

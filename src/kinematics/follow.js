@@ -149,6 +149,11 @@ function walkTowards(chain, here, start, T_base_goal, { task, mostStep, settings
     const goal = next === 1 ? T_base_goal : writePiece(T_base_start, toGo, next);
     const search = searchFrom(chain, here, goal, task, settings);
     const isMet = descend(search) === 'met';
+    if (halvings < HALVINGS && isAcross(chain, here, search.q)) {
+      halvings++; // through a singularity, or past it to another branch: the shortest pieces tell
+      piece /= 2;
+      continue;
+    }
     if (!isMet || wayTo(chain, here, search.q) > SAME_BRANCH) {
       if (++halvings > HALVINGS) return isMet ? 'jump' : 'end';
       piece /= 2;
@@ -168,6 +173,9 @@ function walkTowards(chain, here, start, T_base_goal, { task, mostStep, settings
   }
   return 'there';
 }
+
+/** Whether two postures are on two sides of a singularity; with fewer joints than six no sign tells. @param {Chain} chain @param {Float64Array} a @param {Float64Array} b */
+const isAcross = (chain, a, b) => chain.dof === 6 && determinantAt(chain, a) * determinantAt(chain, b) < 0;
 
 /**
  * Where the tool is after a share of the way: straight, and turning about one axis at the same rate.
@@ -217,22 +225,18 @@ function stepTowards(chain, from, to, most) {
 }
 
 /**
- * As far from `here` to `there` as the branch goes: where they are on two sides of a singularity, to its edge. Only of six
- * joints; with fewer, no sign tells the branches apart.
+ * As far from `here` to `there` as the branch goes: where they are on two sides of a singularity, to its edge.
  * @param {Chain} chain
  * @param {Float64Array} here
  * @param {Float64Array} there
  */
 function onBranchOf(chain, here, there) {
-  if (chain.dof !== 6) return there.slice();
-  const side = determinantAt(chain, here);
   const at = (/** @type {number} */ share) => here.map((value, i) => value + share * (there[i] - value));
-  const isAcross = (/** @type {number} */ share) => determinantAt(chain, at(share)) * side < 0;
-  if (!isAcross(1)) return there.slice();
+  if (!isAcross(chain, here, there)) return there.slice();
   let [on, off] = [0, 1];
   for (let k = 0; k < BISECTIONS; k++) {
     const middle = (on + off) / 2;
-    if (isAcross(middle)) off = middle;
+    if (isAcross(chain, here, at(middle))) off = middle;
     else on = middle;
   }
   return at(on);

@@ -275,7 +275,7 @@ test('axes nearly parallel stay as they are, with what making them parallel woul
 
 test('where the numbers of the computer do not suffice, the arm is refused, and snapping is offered', () => {
   const text = arm({ joint: '<axis xyz="0 0 1"/>' })
-    .replace('1.5707963267948966 0 0', '1.5707963 0 0')
+    .replace('1.5707963267948966 0 0', '1.5707963 0 0.7')
     .replace('<axis xyz="0 0 -1"/>', '<axis xyz="0 1 0"/>')
     .replace('prismatic', 'revolute')
     .replace('xyz="0.1 0.2 0.3"', 'xyz="0 20 0"');

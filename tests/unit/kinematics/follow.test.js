@@ -96,6 +96,25 @@ describe('a tool that is pulled along', () => {
     expect(returned).toBeGreaterThan(0);
   });
 
+  test('close to a singularity, where another branch is near, the arm stays on its own', () => {
+    const description = publishedArm('ur5');
+    const random = createRandom(20261123);
+    const ways = Array.from({ length: 130 }, () => ({
+      q: anyPosture(description, random),
+      by: [random() - 0.5, random() - 0.5, random() - 0.5],
+    }));
+    const { q, by } = ways[129]; // of which coming back led 0.19 rad away
+    const goals = thereAndBack(12).map((share) =>
+      shifted(
+        poseOf('ur5', q),
+        by.map((value) => (0.2 * share * value) / Math.hypot(...by)),
+      ),
+    );
+    const answers = drag(description, q, goals);
+    expect(answers.every(({ status }) => status === 'there')).toBe(true);
+    expect(apart(q, answers[answers.length - 1].q)).toBeLessThan(1e-6);
+  });
+
   test('a goal that turns is followed as well', () => {
     const random = createRandom(SEED);
     for (let k = 0; k < runs(20); k++) {

@@ -3,8 +3,8 @@ import { keyText } from '../../../src/ui/keyText.js';
 
 /** A field with “|” where the cursor stands, or around what is chosen. @param {string} shown @param {Parameters<typeof keyText>[0][]} keys */
 function typed(shown, ...keys) {
-  let [before, chosen, after] = shown.split('|');
-  if (after === undefined) [chosen, after] = ['', chosen];
+  const [before, ...rest] = shown.split('|');
+  const [chosen, after] = rest.length === 1 ? ['', rest[0]] : rest;
   let value = before + chosen + after;
   let [from, to] = [before.length, before.length + chosen.length];
   for (const key of keys) {

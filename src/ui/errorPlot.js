@@ -34,7 +34,12 @@ const short = (/** @type {number} */ value) => value.toFixed(1);
 /** @typedef {ReturnType<typeof errorCurves>} Curves */
 
 export function createErrorPlot() {
-  const picture = svg('svg', { viewBox: `0 0 ${SIZE.width} ${SIZE.height}`, class: 'error-plot', role: 'img' });
+  const picture = svg('svg', {
+    viewBox: `0 0 ${SIZE.width} ${SIZE.height}`,
+    class: 'error-plot',
+    role: 'img',
+    'aria-label': JACOBIAN.plot.caption, // until there is something to say of it
+  });
   const sentence = h('p', { class: 'sm' });
   const body = h('tbody', {});
   const table = h(

@@ -8,7 +8,7 @@ import { JACOBIAN } from './words/jacobian.js';
 export function createJacobianMatrix(label) {
   const caption = h('caption', {}, label);
   const table = h('table', { class: 'jacobian' }, caption);
-  const element = h('div', { class: 'jacobian-box' }, table);
+  const element = h('div', { class: 'jacobian-box', tabindex: 0, role: 'region', 'aria-label': label }, table);
   /** @type {HTMLElement[]} row by row */
   let cells = [];
   let columns = 0;

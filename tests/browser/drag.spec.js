@@ -125,7 +125,7 @@ test('out of reach the arm goes as near as it can and the view says so; nothing 
   await moveTo(330);
   await follow();
   await expect(page.locator('.drag-line span')).toHaveText(/^Edge of the reach: \d+ mm short\.$/);
-  await expect(page.locator('.tag.miss')).toBeVisible();
+  await expect(page.locator('.tag.miss', { hasText: 'mm' })).toBeVisible();
   await moveTo(20);
   const back = (await follow()).q;
   back.forEach((value, i) => expect(value).toBeCloseTo(inside[i], 6));

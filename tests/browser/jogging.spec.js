@@ -145,10 +145,10 @@ test('keys alone: a frame, a typed step, a step each way, and joints', async ({ 
   // The switch that comes with the joints can be gone to before the next frame.
   const isThereAtOnce = await button(page, 'Joints').evaluate((joints) => {
     if (joints instanceof HTMLElement) joints.click();
-    const switches = [...document.querySelectorAll('.jog-switches input')];
-    const last = switches.at(-1);
-    if (last instanceof HTMLElement) last.focus();
-    return document.activeElement === last;
+    const labels = [...document.querySelectorAll('.jog-switches label')];
+    const buttons = labels.find(({ textContent }) => textContent === 'Buttons')?.querySelector('input');
+    buttons?.focus();
+    return document.activeElement === buttons;
   });
   expect(isThereAtOnce).toBe(true);
   await page.keyboard.press('Space');

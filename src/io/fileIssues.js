@@ -51,6 +51,7 @@ export const FILE_ISSUES = Object.freeze({
   'not-exact': 'error', // no table that is the same arm was found
   'axis-length': 'warning',
   'limit-missing': 'warning',
+  'nearly-parallel': 'warning',
   'mesh-name': 'warning',
   'not-read': 'warning', // something of another format
 });

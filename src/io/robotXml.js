@@ -34,7 +34,15 @@ export { writeRobotXml };
  */
 export function readRobotXml(text) {
   const { root, issues } = readXmlTree(text);
-  if (!root) return { doc: null, issues };
+  return root ? robotXmlFrom(root) : { doc: null, issues };
+}
+
+/**
+ * The same, from the tree of the text.
+ * @param {XmlElement} root
+ * @returns {{ doc: Doc | null, issues: Issue[] }}
+ */
+export function robotXmlFrom(root) {
   const opening = rootIssues(root);
   if (hasErrors(opening)) return { doc: null, issues: opening };
   const { doc, issues: found } = readDocument(root);

@@ -51,7 +51,7 @@ export function readUrdf(text, options = {}) {
  * @param {{ baseLink?: string, tipLink?: string, snap?: number }} options
  * @returns {ReturnType<typeof readUrdf>}
  */
-function urdfFrom(root, { baseLink, tipLink, snap }) {
+export function urdfFrom(root, { baseLink, tipLink, snap }) {
   /** @param {Issue[]} issues @param {UrdfChoices | null} [choices] @returns {ReturnType<typeof readUrdf>} */
   const refused = (issues, choices = null) => ({ doc: null, issues, choices, snaps: [] });
   if (root.name !== 'robot' || root.namespace !== '') {

@@ -21,7 +21,7 @@ export function createFiles(page) {
   const { store, opener, announce, clock, messages } = page;
   const input = h('input', {
     type: 'file',
-    accept: '.xml,application/xml,text/xml',
+    accept: '.xml,.urdf,application/xml,text/xml',
     hidden: true,
     'aria-hidden': 'true',
     tabindex: -1,
@@ -81,8 +81,8 @@ export function createFiles(page) {
 
 /** @param {string} text @param {Issue[]} earlier */
 async function readDocument(text, earlier) {
-  const { readRobotXml } = await import('../io/robotXml.js');
-  const { doc, issues } = readRobotXml(text);
+  const { readRobotFile } = await import('../io/robotFile.js');
+  const { doc, issues } = readRobotFile(text);
   return { doc, issues: [...earlier, ...issues] };
 }
 

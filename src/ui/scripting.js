@@ -5,6 +5,7 @@
  * @import { ManualClock } from '../model/clock.js'
  */
 import { writeRobotXml } from '../io/robotXmlWriter.js';
+import { writeUrdf } from '../io/urdf/urdfWriter.js';
 import { aim } from '../model/aim.js';
 import { newDocument } from '../model/newDocument.js';
 import { poseFromRows, rowsOf } from '../model/poseRows.js';
@@ -24,7 +25,7 @@ export function createScripting({ store, derived, opener }, { ready, clock }) {
     clock,
 
     /**
-     * @param {string} robotIdOrXml  an id of the library, or the text of a robot file
+     * @param {string} robotIdOrXml  an id of the library, or the text of a robot file, ours or a URDF
      * @throws {RangeError} when it is neither; the document is then as it was
      */
     async load(robotIdOrXml) {
@@ -40,8 +41,8 @@ export function createScripting({ store, derived, opener }, { ready, clock }) {
         throw new RangeError(`Expected one of ${LIBRARY_IDS.join(', ')} or a robot file, got "${text.slice(0, 80)}".`);
       }
       const isWanted = opener.begin();
-      const { readRobotXml } = await import('../io/robotXml.js');
-      const { doc, issues } = readRobotXml(text);
+      const { readRobotFile } = await import('../io/robotFile.js');
+      const { doc, issues } = readRobotFile(text);
       if (!doc)
         throw new RangeError(
           issues
@@ -58,6 +59,9 @@ export function createScripting({ store, derived, opener }, { ready, clock }) {
 
     /** The document as a robot file. */
     xml: () => writeRobotXml(store.state.doc),
+
+    /** The robot as a URDF. */
+    urdf: () => writeUrdf(store.state.doc),
 
     /** Joint values in document units. */
     joints: () => [...store.state.doc.posture],

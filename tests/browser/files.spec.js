@@ -44,6 +44,18 @@ test('a model is saved, opened on a fresh page, and saved again as the same byte
   await expect(page.getByRole('button', { name: /^Planar 2R/ })).toBeVisible();
 });
 
+test('a URDF is opened as the same arm, and goes out as one', async ({ page }) => {
+  await open(page);
+  const urdf = await readFile(new URL('../fixtures/urdf/kuka_kr6r900sixx.urdf', import.meta.url), 'utf8');
+  await choose(page, 'kr6.urdf', urdf);
+  await expect(page.getByRole('button', { name: /^kuka_kr6r900sixx/ })).toBeVisible();
+  const place = await tool(page);
+  const [x, y, z] = place; // upper arm and forearm stretched out along x
+  expect([x, y, z]).toEqual([expect.closeTo(0.98, 9), expect.closeTo(0, 9), expect.closeTo(0.435, 9)]);
+  await page.evaluate(() => window.denavit.load(window.denavit.urdf()));
+  (await tool(page)).forEach((value, i) => expect(value).toBeCloseTo(place[i], 9));
+});
+
 test('a bad file is refused in a sentence with its line, and the open model stays', async ({ page }) => {
   await open(page);
   const good = await page.evaluate(() => window.denavit.xml());

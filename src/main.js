@@ -12,6 +12,7 @@ import './ui/css/base.css';
 import './ui/css/table.css';
 import './ui/css/tableHeads.css';
 import './ui/css/panels.css';
+import './ui/css/poseAndTarget.css';
 import './ui/css/view.css';
 import './ui/css/dialogs.css';
 import './ui/css/layout.css';

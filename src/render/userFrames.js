@@ -1,10 +1,11 @@
 /**
  * The user frames of the document, each with its name; the active one is larger and has letters.
  *
- * @import { ArmNow, MarkSet, MarkTools } from './marks.js'
+ * @import { MarkSet, MarkTools } from './marks.js'
  * @import { Pose } from '../kinematics/pose.js'
  */
 import { Vector3 } from 'three';
+import { standingMarks } from './markSet.js';
 import { createTriad } from './triad.js';
 
 const ARROW = { active: 0.1, idle: 0.06 }; // in sizes of the arm
@@ -16,30 +17,17 @@ const ORDER = 22;
  * @param {MarkTools} tools
  * @returns {MarkSet & { want: (frames: readonly UserFrame[]) => void }}
  */
-export function createUserFrames({ scene, skin, labels }) {
-  /** @type {ArmNow | null} */
-  let arm = null;
-  /** @type {readonly UserFrame[]} */
-  let wanted = [];
-  /** @type {(() => void)[]} */
-  let remove = [];
-
-  function clear() {
-    for (const each of remove) each();
-    remove = [];
-  }
-
-  function build() {
-    clear();
-    if (!arm) return;
-    for (const { id, T_world_frame, isActive } of wanted) {
+export const createUserFrames = (tools) =>
+  standingMarks(tools, /** @type {readonly UserFrame[]} */ ([]), ({ parts }, frames, skin) => {
+    const { scene, labels } = tools;
+    const remove = frames.map(({ id, T_world_frame, isActive }) => {
       const triad = createTriad({
         ...{ skin, labels, letterCase: /** @type {const} */ ('upper'), gap: 3 },
         width: isActive ? 2.25 : 1.5,
         letters: isActive ? '' : 'hidden',
         order: ORDER,
       });
-      triad.show(T_world_frame, (isActive ? ARROW.active : ARROW.idle) * arm.parts.size);
+      triad.show(T_world_frame, (isActive ? ARROW.active : ARROW.idle) * parts.size);
       triad.setVisible(true, isActive);
       const name = labels.add(isActive ? 'target frame-name is-active' : 'target frame-name');
       name.at = new Vector3(...T_world_frame.subarray(12, 15));
@@ -47,25 +35,7 @@ export function createUserFrames({ scene, skin, labels }) {
       name.yields = true;
       name.write(id);
       scene.add(triad.group);
-      remove.push(() => (triad.dispose(), name.remove()));
-    }
-  }
-
-  return {
-    show(next) {
-      arm = next;
-      build();
-    },
-    follow() {},
-    clear,
-    build,
-    setSkin(next) {
-      skin = next;
-      build();
-    },
-    want(frames) {
-      wanted = frames;
-      build();
-    },
-  };
-}
+      return () => (triad.dispose(), name.remove());
+    });
+    return () => remove.forEach((each) => each());
+  });

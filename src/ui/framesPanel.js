@@ -4,7 +4,6 @@
  *
  * @import { Page } from './page.js'
  * @import { FrameRow } from './frameRow.js'
- * @import { Choice } from './choices.js'
  * @import { PoseDoc } from '../model/document.js'
  * @import { FrameKind } from '../model/frames.js'
  */
@@ -13,12 +12,11 @@ import { identityPose } from '../model/document.js';
 import { poseInUnits } from '../model/poseNumbers.js';
 import { toolChange } from '../model/toolChange.js';
 import { together } from '../model/views.js';
-import { withChoices } from './choices.js';
 import './css/frames.css';
 import { fill, h } from './dom.js';
+import { frameAdders } from './frameAdders.js';
 import { createFramePoints } from './framePoints.js';
 import { chooser, createFrameRow } from './frameRow.js';
-import { icon } from './icons.js';
 import { attempt } from './page.js';
 import { poseInWords } from './poseInWords.js';
 import { segments } from './segments.js';
@@ -129,33 +127,12 @@ export function createFramesPanel(page, host) {
     },
   });
 
-  /** @type {Record<FrameKind, () => Choice[]>} */
-  const ways = {
-    user: () => [
-      { title: FRAMES.from.here, detail: FRAMES.from.hereDetail, run: () => void add('user', tcp()) },
-      { title: FRAMES.from.points, detail: FRAMES.from.pointsDetail, run: () => page.clock.onFrame(points.open) },
-      { title: FRAMES.from.numbers, detail: FRAMES.from.userDetail, run: () => void add('user', identityPose()) },
-    ],
-    tool: () => [
-      { title: FRAMES.from.numbers, detail: FRAMES.from.toolDetail, run: () => void add('tool', identityPose()) },
-      {
-        title: FRAMES.from.present,
-        detail: FRAMES.from.presentDetail,
-        run: () => void add('tool', poseOnly(store.state.doc.robot.tool)),
-      },
-    ],
-  };
-  /** @param {FrameKind} kind */
-  function adder(kind) {
-    const label = FRAMES.add[kind];
-    const button = h(
-      'button',
-      { type: 'button', class: 'btn btn-icon', 'aria-label': label, title: label },
-      icon('plus'),
-    );
-    return { button, element: withChoices(button, () => ({ groups: [ways[kind]()] }), { className: 'frames-add' }) };
-  }
-  const adders = { user: adder('user'), tool: adder('tool') };
+  const adders = frameAdders({
+    add: (kind, pose) => void add(kind, pose),
+    openPoints: () => page.clock.onFrame(points.open),
+    tcp,
+    tool: () => store.state.doc.robot.tool,
+  });
 
   /** @param {FrameKind} kind */
   function noneRow(kind) {

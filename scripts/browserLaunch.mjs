@@ -10,8 +10,10 @@ export const LAUNCH_ARGUMENTS = [
   '--force-color-profile=srgb',
   '--font-render-hinting=none',
   '--disable-lcd-text',
-  // Text and boxes are painted by the processor itself: through the software GL that takes several times as long.
+  // Text and boxes are painted, and put together with the scene, by the processor itself: through the software GL that
+  // takes several times as long. WebGL stays as it is.
   '--disable-gpu-rasterization',
+  '--disable-gpu-compositing',
 ];
 
 /**

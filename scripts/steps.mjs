@@ -1,10 +1,11 @@
 /**
- * Runs commands one after another, each with its time. One that fails shows all it said; the others still run, so that
- * one look finds every fault.
+ * Runs commands one after another, or some of them side by side, each with its time. One that fails shows all it said; the
+ * others still run, so that one look finds every fault.
  *
  * @typedef {object} Step
  * @property {string} name
  * @property {string[]} command     arguments of node
+ * @property {boolean} [isBeside]   it runs at the same time as its neighbours that say so too
  * @property {string} [needs]       a step without which this one says nothing
  * @property {string} [problem]     why it fails before it starts
  * @property {RegExp} [summary]     the line of its output worth repeating, or its first group
@@ -27,35 +28,55 @@ import { performance } from 'node:perf_hooks';
 export async function runSteps(steps, cwd, write) {
   /** @type {Result[]} */
   const results = [];
-  for (const step of steps) {
-    write(`${step.name} … `);
-    const result = await runStep(step, results, cwd, write);
-    write(`${result.outcome}, ${result.seconds.toFixed(1)} s\n`);
-    results.push(result);
+  for (const group of groups(steps)) {
+    const isAlone = group.length === 1;
+    if (isAlone) write(`${group[0].name} … `);
+    const run = group.map(async (step) => {
+      const { output, ...result } = await runStep(step, results, cwd);
+      write(`${output}${isAlone ? '' : `${step.name} … `}${result.outcome}, ${result.seconds.toFixed(1)} s\n`);
+      return result;
+    });
+    results.push(...(await Promise.all(run)));
   }
   return results;
+}
+
+/** Neighbours that run side by side, together; the others each alone. @param {Step[]} steps */
+function groups(steps) {
+  /** @type {Step[][]} */
+  const found = [];
+  for (const step of steps) {
+    const last = found.at(-1);
+    if (step.isBeside && last?.[0].isBeside) last.push(step);
+    else found.push([step]);
+  }
+  return found;
 }
 
 /**
  * @param {Step} step
  * @param {Result[]} before
  * @param {string} cwd
- * @param {(text: string) => void} write
- * @returns {Promise<Result>}
+ * @returns {Promise<Result & { output: string }>}  with what is to be shown
  */
-async function runStep({ name, command, needs, problem, summary }, before, cwd, write) {
+async function runStep({ name, command, needs, problem, summary }, before, cwd) {
   if (needs && before.find((result) => result.name === needs)?.outcome !== 'ok') {
-    return { name, outcome: 'not run', seconds: 0, note: `needs ${needs}` };
+    return { name, outcome: 'not run', seconds: 0, note: `needs ${needs}`, output: '' };
   }
-  if (problem) return { name, outcome: 'failed', seconds: 0, note: problem };
+  if (problem) return { name, outcome: 'failed', seconds: 0, note: problem, output: '' };
 
   const start = performance.now();
   const { succeeded, output } = await run(command, cwd);
   const seconds = (performance.now() - start) / 1000;
-  if (!succeeded) write(`\n${output.trimEnd()}\n`);
   const found = summary && stripColours(output).match(summary);
   const note = found ? (found[1] ?? found[0]).replace(/\s+/g, ' ').trim() : '';
-  return { name, outcome: succeeded ? 'ok' : 'failed', seconds, note };
+  return {
+    name,
+    outcome: succeeded ? 'ok' : 'failed',
+    seconds,
+    note,
+    output: succeeded ? '' : `\n${output.trimEnd()}\n`,
+  };
 }
 
 /**

@@ -1,11 +1,12 @@
 /**
- * npm test: everything that must hold, one step after another (two at once gain nothing on two weak cores). `--deep`
+ * npm test: everything that must hold. What only reads the source runs side by side, the rest one after another. `--deep`
  * runs the full counts on a fresh seed; DENAVIT_SEED repeats one.
  *
  * @import { Step } from './steps.mjs'
  */
 import { randomInt } from 'node:crypto';
 import { dirname } from 'node:path';
+import { performance } from 'node:perf_hooks';
 import { fileURLToPath } from 'node:url';
 import { ensureDependencies } from './ensureDependencies.mjs';
 import { runSteps } from './steps.mjs';
@@ -13,18 +14,22 @@ import { formatTable } from './table.mjs';
 
 const ROOT = dirname(dirname(fileURLToPath(import.meta.url)));
 const INTENDED_MINUTES = 8;
+/** These make much that is soon thrown away: a larger nursery spares the collector a tenth of their time. */
+const NURSERY = '--max-semi-space-size=64';
 
 /**
  * @param {string | undefined} noBrowser why the browser tests cannot run
  * @returns {Step[]}
  */
 const steps = (noBrowser) => [
-  { name: 'types', command: ['node_modules/typescript/bin/tsc', '-p', '.'] },
-  { name: 'lint', command: ['node_modules/eslint/bin/eslint.js', '.', '--max-warnings', '0'] },
-  { name: 'format', command: ['node_modules/prettier/bin/prettier.cjs', '--check', '.'] },
+  { name: 'types', isBeside: true, command: [NURSERY, 'node_modules/typescript/bin/tsc', '-p', '.'] },
+  { name: 'lint', isBeside: true, command: [NURSERY, 'node_modules/eslint/bin/eslint.js', '.', '--max-warnings', '0'] },
+  { name: 'format', isBeside: true, command: [NURSERY, 'node_modules/prettier/bin/prettier.cjs', '--check', '.'] },
   {
     name: 'imports',
+    isBeside: true,
     command: [
+      NURSERY,
       'node_modules/dependency-cruiser/bin/dependency-cruise.mjs',
       'src',
       '--config',
@@ -68,9 +73,11 @@ async function main() {
     console.log(`Full counts with DENAVIT_SEED=${process.env.DENAVIT_SEED}.`);
   }
   ensureDependencies();
-  const results = await runSteps(steps(await browserProblem()), ROOT, (text) => process.stdout.write(text));
+  const problem = await browserProblem();
+  const start = performance.now();
+  const results = await runSteps(steps(problem), ROOT, (text) => process.stdout.write(text));
 
-  const minutes = results.reduce((sum, { seconds }) => sum + seconds, 0) / 60;
+  const minutes = (performance.now() - start) / 60_000;
   const rows = results.map(({ name, outcome, seconds, note }) => [name, outcome, seconds.toFixed(1), note]);
   console.log(`\n${formatTable([['step', 'outcome', 'seconds', ''], ...rows], [2])}\n`);
   if (!deep && minutes > INTENDED_MINUTES) console.log(`That took longer than the ${INTENDED_MINUTES} minutes it may.`);

@@ -75,10 +75,13 @@ test('each button takes the tool along or about its axis, in each frame, by the 
 
 test('what is held moves by the clock until it is let go, and is one step to undo', async ({ page }) => {
   await page.goto('./?quality=low&theme=light&hint=off&clock=manual');
-  const ticks = (/** @type {number} */ count) =>
-    page.evaluate((n) => {
-      for (let i = 0; i < n; i++) window.denavit.clock?.tick(1 / 50);
-    }, count);
+  const ticks = (/** @type {number} */ count, seconds = 1 / 50) =>
+    page.evaluate(
+      ([n, dt]) => {
+        for (let i = 0; i < n; i++) window.denavit.clock?.tick(dt);
+      },
+      [count, seconds],
+    );
   await page.waitForFunction(() => window.denavit?.clock);
   await expect.poll(async () => (await ticks(3), page.evaluate(() => 'undo' in window.denavit))).toBe(true);
   await button(page, 'Tool').click();
@@ -116,7 +119,7 @@ test('what is held moves by the clock until it is let go, and is one step to und
   }
 
   await page.mouse.down();
-  await ticks(300);
+  await ticks(60, 1 / 10);
   await expect(page.locator('.jog-word')).toContainText('Stopped: J');
   await page.mouse.up();
 });

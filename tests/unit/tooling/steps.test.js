@@ -51,3 +51,19 @@ test('the summary of a step is the line it asked for, without colours', async ()
   ]);
   expect(results[0].note).toBe('5 passed');
 });
+
+test('steps beside each other run at the same time, and their results keep the order of the list', async () => {
+  const waits = (/** @type {number} */ ms) => ['-e', `setTimeout(() => console.log('waited'), ${ms})`];
+  const { text, results } = await run([
+    { name: 'long', isBeside: true, command: waits(1500) },
+    { name: 'short', isBeside: true, command: says('', 1) },
+    { name: 'after', command: says('') },
+  ]);
+  expect(results.map(({ name, outcome }) => [name, outcome])).toEqual([
+    ['long', 'ok'],
+    ['short', 'failed'],
+    ['after', 'ok'],
+  ]);
+  expect(text.indexOf('short …')).toBeLessThan(text.indexOf('long …'));
+  expect(text.indexOf('long …')).toBeLessThan(text.indexOf('after …'));
+});

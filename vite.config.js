@@ -1,9 +1,11 @@
 /** How the page is built: relative addresses only, so that the built folder runs from any sub-path of any static host. */
 import { defineConfig } from 'vite';
 import { bootstrapParts } from './scripts/bootstrapParts.mjs';
+import { contentPolicyPlugin } from './scripts/contentPolicy.mjs';
 
 export default defineConfig({
   base: './',
+  plugins: [contentPolicyPlugin()],
   css: { postcss: { plugins: [bootstrapParts()] } },
   build: {
     target: 'es2022',

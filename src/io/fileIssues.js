@@ -54,6 +54,10 @@ export const FILE_ISSUES = Object.freeze({
   'nearly-parallel': 'warning',
   'mesh-name': 'warning',
   'not-read': 'warning', // something of another format
+  // what a format will not hold when a document is written in it
+  'not-kept': 'warning',
+  placeholder: 'warning', // stands where the format asks for what the document does not have
+  'not-writable': 'error',
 });
 
 /**

@@ -5,7 +5,7 @@
  *   standard  A_i(q) = Z(q) · C_i  with  C_i = Rz(θ) Tz(d) Tx(a) Rx(α):  xyz = (a cos θ, a sin θ, d), rpy = (α, 0, θ)
  *   modified  A_i(q) = C_i · Z(q)  with  C_i = Rx(α) Tx(a) Tz(d) Rz(θ)
  *
- * What URDF has no place for is left out (losses.js names it).
+ * What URDF has no place for is left out, which urdfLosses.js tells.
  *
  * @import { Doc, JointDoc, Units } from '../../model/document.js'
  */
@@ -18,10 +18,10 @@ import { toKernel } from '../../model/units.js';
 import { idsFor } from './ids.js';
 
 /** What the format asks for and the model does not have. Real values are the maker's. */
-const PLACEHOLDERS = { mass: 1, inertia: 0.01, effort: 1000, velocity: 1 };
+export const PLACEHOLDERS = { mass: 1, inertia: 0.01, effort: 1000, velocity: 1 };
 
 /** An end that is not there while the other is: farther than any arm goes, in radians or metres. */
-const FAR = 1e6;
+export const FAR = 1e6;
 
 /** @param {number} value */
 const number = (value) => String(value + 0); // no −0
@@ -47,13 +47,13 @@ function limitOf(joint, units) {
   const { lower, upper } = limitsOf(joint);
   const { effort = PLACEHOLDERS.effort, velocity } = joint;
   const rates = `effort="${number(effort)}" velocity="${number(velocity === undefined ? PLACEHOLDERS.velocity : value(velocity))}"`;
-  if (typeOf(joint) === 'continuous') return `<limit ${rates}/>`;
+  if (urdfTypeOf(joint) === 'continuous') return `<limit ${rates}/>`;
   const [low, high] = [Number.isFinite(lower) ? value(lower) : -FAR, Number.isFinite(upper) ? value(upper) : FAR];
   return `<limit lower="${number(low)}" upper="${number(high)}" ${rates}/>`;
 }
 
-/** @param {JointDoc} joint */
-function typeOf(joint) {
+/** As URDF calls it: a turn without any limit is continuous. @param {JointDoc} joint */
+export function urdfTypeOf(joint) {
   if (isSliding(joint)) return 'prismatic';
   const { lower, upper } = limitsOf(joint);
   return lower === -Infinity && upper === Infinity ? 'continuous' : 'revolute';
@@ -78,18 +78,20 @@ const fixedText = (name, parent, child, T) => `  <joint name="${name}" type="fix
     <child link="${child}"/>
   </joint>`;
 
+/** What robot and joints are called in the file. @param {Doc['robot']} robot */
+export function urdfNames({ name, joints }) {
+  const [robot] = idsFor([name], 'robot');
+  const ids = joints.map(({ id }) => id);
+  return { robot, joints: idsFor(ids, 'joint', ['flange_joint', 'tool0_joint']) };
+}
+
 /**
  * @param {Doc} doc
  * @returns {string}
  */
 export function writeUrdf({ robot }) {
-  const { name, joints, units, convention } = robot;
-  const [robotName] = idsFor([name], 'robot');
-  const jointNames = idsFor(
-    joints.map(({ id }) => id),
-    'joint',
-    ['flange_joint', 'tool0_joint'],
-  );
+  const { joints, units, convention } = robot;
+  const { robot: robotName, joints: jointNames } = urdfNames(robot);
   const links = ['base_link', ...joints.map((_, i) => `link_${i + 1}`)];
   /** What stands between the joint before and this one. */
   let between = compilePose(robot.base, units);
@@ -98,7 +100,7 @@ export function writeUrdf({ robot }) {
     const constant = constantOf(joint, robot);
     const T = convention === 'standard' ? between : compose(between, constant);
     between = convention === 'standard' ? constant : identity();
-    parts.push(`  <joint name="${jointNames[i]}" type="${typeOf(joint)}">
+    parts.push(`  <joint name="${jointNames[i]}" type="${urdfTypeOf(joint)}">
     ${originOf(T)}
     <parent link="${links[i]}"/>
     <child link="${links[i + 1]}"/>

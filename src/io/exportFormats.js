@@ -1,0 +1,28 @@
+/**
+ * The formats that a document can be written in, ours first. `losses` tells beforehand what of this very document a format will
+ * not hold, and what it asks for that the document does not have: one sentence each, nothing if nothing is lost. An error among
+ * them (not-writable) means that the document cannot be written so, and `write` throws a RangeError with that sentence.
+ *
+ * @import { Doc } from '../model/document.js'
+ * @import { Issue } from '../model/issues.js'
+ *
+ * @typedef {object} ExportFormat
+ * @property {'denavit' | 'urdf'} id
+ * @property {string} extension   without the dot
+ * @property {string} mediaType
+ * @property {(doc: Doc) => string} write   of a sound document (model/validate.js)
+ * @property {(doc: Doc) => Issue[]} losses
+ */
+import { deepFreeze } from '../model/freeze.js';
+import { robotXmlLosses } from './robotXmlLosses.js';
+import { writeRobotXml } from './robotXmlWriter.js';
+import { urdfLosses } from './urdf/urdfLosses.js';
+import { writeUrdf } from './urdf/urdfWriter.js';
+
+const XML = 'application/xml';
+
+/** @type {readonly ExportFormat[]} */
+export const EXPORT_FORMATS = deepFreeze([
+  { id: 'denavit', extension: 'xml', mediaType: XML, write: writeRobotXml, losses: robotXmlLosses },
+  { id: 'urdf', extension: 'urdf', mediaType: XML, write: writeUrdf, losses: urdfLosses },
+]);

@@ -43,6 +43,9 @@ const SPARE = 0.03;
 /** Of two postures equally near, which symmetric arms have, the first found is kept: rounding is not to choose. */
 const BETTER = 1 - 1e-6;
 
+/** So many starts from anywhere that come to the same, as near as descents that stop at the first standstill can tell. */
+const AGREEING = { starts: 8, within: 1.1 };
+
 /** How many times the iterations of another descent the last one may take, which goes to the very bottom. */
 const SETTLING = 10;
 
@@ -184,7 +187,8 @@ export function seekOutside(hunt, task, restarts) {
 }
 
 /**
- * The place alone, inside the limits: how near to it the tool comes. The search stays at the posture for it.
+ * The place alone, inside the limits: how near to it the tool comes. The search stays at the posture for it. Where the first
+ * descents all come to the same there is hardly another valley, and the other starts are spared.
  * @param {Hunt} hunt
  * @param {number} restarts
  * @returns {number} metres; 0 if it is there, within tolerance
@@ -193,15 +197,18 @@ export function seekPlace(hunt, restarts) {
   const { search, chain } = hunt;
   const nearest = hunt.best.slice();
   let least = Infinity;
+  let most = 0;
   search.task = 'position';
   for (let k = 0; k <= restarts; k++) {
     if (k === 0) search.q.set(hunt.best);
     else startAnywhere(hunt);
     if (descend(search) === 'met') return 0;
+    if (search.cost > most) most = search.cost;
     if (search.cost < least) {
       least = search.cost;
       nearest.set(search.q);
     }
+    if (k === AGREEING.starts && most < least * AGREEING.within) break;
   }
   search.isSettling = true;
   search.q.set(nearest);

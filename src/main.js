@@ -89,6 +89,7 @@ if (parameters.robot === FIRST_ROBOT) {
  */
 function stand(robot, isOther = false) {
   const { units, q, frames, projection } = parameters;
+  const trace = parameters.trace === 'on' ? 0 : null;
   const { doc, faults } = startDocument(robot, { units, q, isOther });
   if (faults.length > 0) {
     parameterWords().then(({ startFaultInWords }) => {
@@ -97,7 +98,7 @@ function stand(robot, isOther = false) {
   }
   /** @type {Store<AppState, Action>} */
   const store = createStore(startState(doc), reduce);
-  store.dispatch({ type: 'show', change: { frames, projection } });
+  store.dispatch({ type: 'show', change: { frames, projection, trace } });
   const derived = createDerived();
   const addView = createViews(store, clock, { onError: messages.fault });
   const page = { store, addView, derived, clock, announce: createAnnouncer(), messages, opener: createOpener(store) };

@@ -82,6 +82,11 @@ export const SCHEMA = {
     'ends',
     'Which frames are drawn; ends: base and tool, row: the two of the row that is selected.',
   ),
+  trace: oneOf(
+    /** @type {const} */ (['off', 'on']),
+    'off',
+    'on: a line is drawn of where the tool has been, from the beginning.',
+  ),
   theme: oneOf(
     /** @type {const} */ (['auto', 'light', 'dark']),
     null,

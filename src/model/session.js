@@ -38,6 +38,7 @@
  * @property {{ readonly posture: readonly number[], readonly label: string } | null} ghost  where the arm would stand: a solution being looked at
  * @property {FramesShown} frames   of the scene; this and the next stay when another document is opened
  * @property {'perspective' | 'parallel'} projection
+ * @property {number | null} trace  of the tool, drawn: counts how often it was begun anew (trace.js); it stays likewise
  * @property {BuildUp | null} build  how a row of the table makes a frame from the one before, being shown
  * @property {Handle} handle    on the tool, to drag it by; it stays when another document is opened
  * @property {'move' | 'turn' | null} toolKeys  what arrow keys in the view do to the tool, once it is taken
@@ -81,6 +82,7 @@ const FRESH = {
   ghost: null,
   frames: 'ends',
   projection: 'perspective',
+  trace: null,
   build: null,
   handle: FIRST_HANDLE,
   toolKeys: null,
@@ -140,10 +142,10 @@ function settle(state, history, next) {
   if (robot === old) return { ...next, session };
   const isOther = robot.name !== old.name && robot.joints !== old.joints; // a new name alone makes no other robot
   const sameShape = robot.joints.length === old.joints.length && robot.units === old.units && !isOther;
-  const { panel, tab, edition, frames, projection, handle, jog, jacobian, targetForm, toolKeeps } = session;
+  const { panel, tab, edition, frames, projection, trace, handle, jog, jacobian, targetForm, toolKeeps } = session;
   const openJoint = session.openJoint === null ? null : Math.min(session.openJoint, robot.joints.length - 1);
   const numbers = fitNumbers(session.numbers, robot);
-  const kept = { panel, tab, edition, frames, projection, handle, jog, jacobian, targetForm, toolKeeps };
+  const kept = { panel, tab, edition, frames, projection, trace, handle, jog, jacobian, targetForm, toolKeeps };
   return {
     ...next,
     session: sameShape ? { ...session, answer: null, ghost: null } : { ...FRESH, ...kept, openJoint, numbers },

@@ -38,7 +38,7 @@ const SMALL = 450;
 /**
  * @param {State} state
  * @param {Omit<StageOptions, 'clock'> & {
- *   text: StageOptions['text'] & { lost: { along: string, about: string }, dimension: (joint: number, field: DhField) => LabelText },
+ *   text: StageOptions['text'] & { lost: { along: string, about: string }, trace: { start: string }, dimension: (joint: number, field: DhField) => LabelText },
  *   onError: (error: unknown) => void,
  * }} options
  * @returns the stage; null without WebGL
@@ -188,6 +188,19 @@ export function createRobotView({ store, addView, derived, clock }, options) {
     return (tools) => createLostMark({ ...tools, text: options.text.lost });
   });
   addView(lostWanted, (wanted) => withLost(wanted !== null, (marks) => marks.want(wanted)));
+
+  const withTrace = whenWanted(async () => {
+    const [{ createTraceMark }, { traceOf }] = await Promise.all([
+      import('./traceMark.js'),
+      import('../model/trace.js'),
+    ]);
+    const recorder = traceOf({ store, derived });
+    return (tools) => createTraceMark({ ...tools, text: options.text.trace, trace: () => recorder.trace });
+  });
+  addView(
+    ({ session }) => session.trace,
+    (trace) => withTrace(trace !== null, (mark) => mark.build()),
+  );
 
   const withBuild = whenWanted(async () => (await import('./buildMarks.js')).createBuildMarks);
   addView(

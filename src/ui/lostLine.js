@@ -6,20 +6,15 @@
  */
 import { lostWanted } from '../model/lostShown.js';
 import { h } from './dom.js';
+import { whenFirst } from './whenFirst.js';
 
 /** @param {Page} page @param {HTMLElement} view */
 export function createLostLine(page, view) {
   const line = h('p', { class: 'float lost-line', hidden: true });
   view.querySelector('.handle-bar')?.prepend(line);
-  let isFetched = false;
-  page.addView(lostWanted, async (wanted) => {
-    if (wanted === null || isFetched) return;
-    isFetched = true;
-    try {
-      (await import('./lostWords.js')).runLostLine(page, line);
-    } catch (error) {
-      isFetched = false; // and again when it is next wanted
-      page.messages.fault(error);
-    }
-  });
+  whenFirst(
+    page,
+    (state) => lostWanted(state) !== null,
+    async () => (await import('./lostWords.js')).runLostLine(page, line),
+  );
 }

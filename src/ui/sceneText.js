@@ -48,6 +48,7 @@ export function createSceneText({ store }) {
     },
 
     lost: TEXT.drag.lost,
+    trace: { start: TEXT.view.traceStart },
 
     /** @param {number} metres */
     missing: (metres) => withUnit(poseNumber(length(metres), robot().units.length), robot().units.length),

@@ -55,5 +55,10 @@ export const createFramesMenu = ({ store }) =>
         isChosen: store.state.session.frames === frames,
         run: () => store.dispatch({ type: 'show', change: { frames } }),
       })),
+      [null, 0].map((trace) => ({
+        title: trace === null ? words.trace.off : words.trace.on,
+        isChosen: (store.state.session.trace === null) === (trace === null),
+        run: () => store.dispatch({ type: 'show', change: { trace } }),
+      })),
     ],
   }));

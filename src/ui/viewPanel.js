@@ -20,6 +20,7 @@ import { asText, createSceneText } from './sceneText.js';
 import { TEXT } from './strings.js';
 import { createViewCube } from './viewCube.js';
 import { createFramesMenu, createViewMenu } from './viewMenu.js';
+import { whenFirst } from './whenFirst.js';
 
 /**
  * @param {Page} page
@@ -57,6 +58,11 @@ export function createViewPanel(page, host, { poseInWords, isCalm, isWide }) {
   fill(host, stageHost, tools, cube.element, grid);
   createHandleBar(page, host, { isWide, poseInWords });
   createLostLine(page, host);
+  whenFirst(
+    page,
+    ({ session }) => session.trace !== null,
+    async () => (await import('./traceLine.js')).createTraceLine(page, host),
+  );
   $(fit).on('click', () => look(null));
 
   const robot = () => store.state.doc.robot;
@@ -76,6 +82,7 @@ export function createViewPanel(page, host, { poseInWords, isCalm, isWide }) {
     return [
       build && TEXT.view.building(build.joint + 1, Math.floor(build.at)),
       frames.length ? TEXT.view.drawnFrames(frames) : TEXT.view.noFrames,
+      session.trace !== null && TEXT.view.traced,
       cell && isRowField(cell.field) && TEXT.view.drawnDimension(asText(text.dimension(cell.joint, cell.field))),
     ]
       .filter(Boolean)

@@ -38,6 +38,9 @@ export const VIEW = {
     row: 'The two of the selected row',
     all: 'All frames',
   },
+  trace: { off: 'No trace', on: 'Trace of the tool' },
+  traced: 'The trace of the tool is drawn.',
+  traceStart: 'start of trace',
   seen: (/** @type {string} */ direction) => `View: ${direction}.`,
   describe: (/** @type {string} */ robot, /** @type {string} */ pose, /** @type {string} */ drawn) =>
     `${robot} in 3-D. ${pose} ${drawn} Arrow keys orbit, with Shift they move the picture, plus and minus zoom, F fits, 0 to 6 choose a view, T takes the tool to move it by keys.`,

@@ -36,6 +36,7 @@ import { createAnnouncer } from './ui/announce.js';
 import { createBar } from './ui/bar.js';
 import { createBrowserClock, today } from './ui/browserClock.js';
 import { createDhTable } from './ui/dhTable.js';
+import { watchDropAndPaste } from './ui/dropAndPaste.js';
 import { showFirstVisit } from './ui/firstVisit.js';
 import { createFiles } from './ui/files.js';
 import { createJogPanel } from './ui/jogPanel.js';
@@ -146,6 +147,7 @@ function stand(robot, isOther = false) {
   const pose = createPosePanel(page, shell.pose);
   createAimPanel(page, shell.aim);
   createShortcuts(page, { files, openHelp });
+  watchDropAndPaste(page, files);
   createTouchKeys(page, shell.app);
   const calm = matchMedia('(prefers-reduced-motion: reduce)');
   const isCalm = () => calm.matches;

@@ -9,6 +9,7 @@ import { DISMISSES, closeButton, openDialog } from './dialog.js';
 import { h } from './dom.js';
 import { icon } from './icons.js';
 import { TEXT } from './strings.js';
+import { ARRIVAL } from './words/arrival.js';
 
 const CONTEXT_LINES = 1;
 
@@ -23,20 +24,20 @@ const CONTEXT_LINES = 1;
  * @param {Announce} report.announce
  */
 export function showReport({ name, robotName, isOpened, issues, text, again, announce }) {
-  const title = isOpened ? TEXT.files.openedWith(name) : TEXT.files.notOpened(name);
-  const copy = h('button', { type: 'button', class: 'btn' }, icon('copy'), TEXT.files.copyReport);
-  const another = h('button', { ...DISMISSES, class: 'btn btn-primary' }, icon('folder'), TEXT.files.another);
+  const title = isOpened ? ARRIVAL.openedWith(name) : ARRIVAL.notOpened(name);
+  const copy = h('button', { type: 'button', class: 'btn' }, icon('copy'), ARRIVAL.copyReport);
+  const another = h('button', { ...DISMISSES, class: 'btn btn-primary' }, icon('folder'), ARRIVAL.another);
   const done = h('button', { ...DISMISSES, class: 'btn' }, TEXT.close);
   copy.addEventListener('click', async () => {
     announce(
       (await copyText([title, ...issues.map(({ message }) => message)].join('\n')))
-        ? TEXT.files.reportCopied
+        ? ARRIVAL.reportCopied
         : TEXT.pose.copyFailed,
     );
   });
   another.addEventListener('click', again);
-  openDialog({
-    name: 'file-report',
+  return openDialog({
+    name: 'file-report takes-files',
     title: 'report-title',
     content: [
       h(
@@ -47,7 +48,7 @@ export function showReport({ name, robotName, isOpened, issues, text, again, ann
           'div',
           { class: 'grow' },
           h('h2', { id: 'report-title' }, title),
-          isOpened ? null : h('p', { class: 'soft' }, TEXT.files.stillHere(robotName)),
+          isOpened ? null : h('p', { class: 'soft' }, ARRIVAL.stillHere(robotName)),
         ),
         closeButton(),
       ),

@@ -24,7 +24,8 @@ export const SHORTCUTS = [
   { id: 'help', key: '?', isTyped: true },
 ];
 
-const TEXT_FIELDS = '[data-editing], [contenteditable], textarea, select, input:not([type=range], [type=checkbox])';
+export const TEXT_FIELDS =
+  '[data-editing], [contenteditable], textarea, select, input:not([type=range], [type=checkbox])';
 
 /**
  * @param {Pick<KeyboardEvent, 'key' | 'ctrlKey' | 'metaKey' | 'altKey' | 'shiftKey'>} event

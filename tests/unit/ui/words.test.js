@@ -15,6 +15,7 @@ const WORD = /^[A-Z][a-z]+[.:!?…]?$/;
 /** For the browser, or for who writes scripts, though they look like words. */
 const NOT_READ = [
   ...['stop lower', 'stop upper', 'noopener noreferrer', 'canvas, button', '(pointer: coarse)', '(hover: none)'],
+  'Files', // a drag has some
   'Another document was opened in the meantime.', // window.denavit says it
 ];
 

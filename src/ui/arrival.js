@@ -1,0 +1,94 @@
+/**
+ * What came in, by whichever way (chosen, dropped, pasted): read by one pipeline, then opened as one undoable change or
+ * refused in words. Fetched, with the parser, when the first file arrives.
+ *
+ * @import { Page } from './page.js'
+ * @import { Doc } from '../model/document.js'
+ * @import { Issue } from '../model/issues.js'
+ *
+ * @typedef {object} Source   what came in
+ * @property {readonly File[]} files
+ * @property {boolean} [isFolder]    the one file is a folder
+ * @property {string} [text]         text instead of files
+ * @property {'dropped' | 'pasted'} way   that the text came
+ *
+ * @typedef {{ name: string, text: string | null, issues: readonly Issue[] }} Arrived  text: null when it was refused already
+ */
+import { decodeText } from '../io/decodeText.js';
+import { readRobotFile } from '../io/robotFile.js';
+import { showReport } from './fileReport.js';
+import { fixed } from './format.js';
+import { TEXT } from './strings.js';
+import { ARRIVAL } from './words/arrival.js';
+
+/** Far more than a robot file may have in any encoding: not even looked at. */
+const LARGEST_BYTES = 16 * 1024 * 1024;
+const MEGABYTE = 1024 * 1024;
+
+/** The dialog of what arrived last; the next one closes it. @type {{ hide: () => void } | null} */
+let open = null;
+
+/**
+ * @param {Page} page
+ * @param {Source} source
+ * @param {object} given
+ * @param {() => boolean} given.isWanted  nothing else was asked for since
+ * @param {() => void} given.again        choose another file
+ */
+export async function receive(page, source, { isWanted, again }) {
+  open?.hide();
+  open = null;
+  const { name, text, issues: earlier } = await arrived(source);
+  if (!isWanted()) return;
+  const { doc, issues } = text === null ? { doc: null, issues: [] } : readRobotFile(text);
+  end(page, { name, text, doc, issues: [...earlier, ...issues], again });
+}
+
+/**
+ * @param {Page} page
+ * @param {{ name: string, text: string | null, doc: Doc | null, issues: readonly Issue[], again: () => void }} given
+ */
+function end({ store, opener, announce }, { name, text, doc, issues, again }) {
+  if (doc) {
+    opener.open(doc);
+    announce(ARRIVAL.opened(name));
+  }
+  if (issues.length === 0) return;
+  const robotName = store.state.doc.robot.name || TEXT.unnamedRobot;
+  open = showReport({ name, robotName, announce, isOpened: doc !== null, issues, text, again });
+}
+
+/** @param {Source} source @returns {Promise<Arrived>} */
+async function arrived({ files, text, isFolder, way }) {
+  if (text !== undefined) {
+    const name = ARRIVAL[way];
+    if (text.trimStart().startsWith('<')) return { name, text, issues: [] };
+    return refused(name, 'not-text', /^[a-z]+:\S*$/i.test(text.trim()) ? ARRIVAL.link : ARRIVAL.plainText);
+  }
+  if (files.length === 0) return refused(ARRIVAL.what, 'unreadable', ARRIVAL.nothing);
+  if (files.length > 1) return refused(ARRIVAL.several(files.length), 'several', ARRIVAL.severalFiles(files.length));
+  const [file] = files;
+  if (isFolder) return refused(file.name, 'folder', ARRIVAL.folder);
+  return { name: file.name, ...(await readText(file)) };
+}
+
+/** @param {string} name @param {string} code @param {string} message @returns {Arrived} */
+const refused = (name, code, message) => ({
+  name,
+  text: null,
+  issues: [{ severity: 'error', code, path: '', message }],
+});
+
+/** @param {File} file @returns {Promise<Pick<Arrived, 'text' | 'issues'>>} */
+async function readText(file) {
+  if (file.size > LARGEST_BYTES) {
+    const size = ARRIVAL.megabytes(fixed(file.size / MEGABYTE, 0));
+    return refused(file.name, 'file-too-large', ARRIVAL.tooLarge(size));
+  }
+  try {
+    return decodeText(new Uint8Array(await file.arrayBuffer()));
+  } catch (error) {
+    const reason = error instanceof Error ? error.message : String(error);
+    return refused(file.name, 'unreadable', ARRIVAL.unreadable(reason));
+  }
+}

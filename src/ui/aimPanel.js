@@ -33,8 +33,7 @@ export function createAimPanel(page, host) {
     { class: 'body', novalidate: true },
     parts.apart,
     numbers,
-    verdict,
-    h('div', { class: 'actions' }, nearest, move),
+    h('div', { class: 'aim-foot' }, verdict, h('div', { class: 'actions' }, nearest, move)),
   );
   fill(host, parts.header, parts.bar, form);
   const fields = createTargetFields(page, numbers);
@@ -120,7 +119,11 @@ export function createAimPanel(page, host) {
         posture,
       );
       verdict.dataset.tone = tone;
-      fill(verdict, tone === 'good' ? icon('checkCircle') : tone === 'bad' ? icon('slash') : null, h('span', {}, text));
+      fill(
+        verdict,
+        tone === 'good' || tone === 'part' ? icon('checkCircle') : tone === 'bad' ? icon('slash') : null,
+        h('span', {}, text),
+      );
       nearest.hidden = !answer || answer.isMet || isThere || isAtAnswer(answer, posture);
     },
   );

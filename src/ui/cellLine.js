@@ -107,6 +107,22 @@ export function createCellLine({ store }) {
     fill(ways, texts, !isQuestion && takeBack);
   }
 
+  /** Another cell still has a text that was refused: why, and the way there. @param {Place | null} shown */
+  function drawOthers(shown) {
+    const [other] = shown ? standing : [];
+    const wanted = other ? [other[1].place.joint, other[1].place.field, other[1].refused.reason].join('\n') : '';
+    if (wanted === drawn) return;
+    drawn = wanted;
+    if (!other) {
+      fill(ways);
+      return;
+    }
+    const [cell, { place, refused }] = other;
+    const go = wayOut(TEXT.table.toWaiting, () => cell.input.focus());
+    const tone = refused.isQuestion ? 'warn' : 'bad';
+    fill(ways, h('span', { class: `sm ${tone}` }, nameOf(place), ': ', refused.title ?? refused.reason), go);
+  }
+
   function redraw() {
     const { robot } = store.state.doc;
     const { cell } = store.state.session;
@@ -117,20 +133,14 @@ export function createCellLine({ store }) {
     const shown = old ? old[1].place : cell;
     element.classList.remove('ask', 'bad-n');
     element.classList.toggle('is-hint', !shown);
-    if (!asked && !old) {
-      fill(ways);
-      drawn = '';
-    }
+    if (!asked && !old) drawOthers(shown);
     if (!shown) {
       fill(name);
       fill(value);
       meaning.textContent = TEXT.table.hint;
       return;
     }
-    fill(
-      name,
-      keepsText(shown.field) ? symbol(LETTER[shown.field], shown.joint + 1) : TEXT.table.fieldName[shown.field],
-    );
+    fill(name, nameOf(shown));
     if (asked && live) complain(robot, live.cell, shown, asked);
     else if (old) complain(robot, old[0], shown, old[1].refused);
     else {
@@ -168,6 +178,10 @@ export function createCellLine({ store }) {
     },
   };
 }
+
+/** @param {Place} place */
+const nameOf = ({ joint, field }) =>
+  keepsText(field) ? symbol(LETTER[field], joint + 1) : h('span', {}, `J${joint + 1} ${TEXT.table.fieldName[field]}`);
 
 /** @param {string | (string | Node)[]} label @param {() => void} act */
 function wayOut(label, act) {

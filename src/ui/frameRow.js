@@ -45,9 +45,9 @@ export function createFrameRow(page, kind, index, on) {
   const { radio, element: choose } = chooser(kind, String(index), '', () => on.choose(index));
   const id = () => frame()?.id ?? '';
 
-  const number = textInput({ class: 'number', 'aria-describedby': 'frames-reason' });
+  const number = textInput({ class: 'name-box number', 'aria-describedby': 'frames-reason' });
   const numberText = () => String(frame()?.number ?? '');
-  const name = textInput({ 'aria-describedby': 'frames-reason' });
+  const name = textInput({ class: 'name-box', 'aria-describedby': 'frames-reason' });
   const editors = [
     editText(page, number, {
       text: numberText,

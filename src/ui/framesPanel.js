@@ -12,6 +12,7 @@ import { identityPose } from '../model/document.js';
 import { poseInUnits } from '../model/poseNumbers.js';
 import { toolChange } from '../model/toolChange.js';
 import { together } from '../model/views.js';
+import './css/typedIn.css';
 import './css/frames.css';
 import { fill, h } from './dom.js';
 import { frameAdders } from './frameAdders.js';

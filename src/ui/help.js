@@ -70,7 +70,10 @@ const keyList = (rows) =>
       h(
         'dt',
         {},
-        ways.flatMap((keys, i) => [i > 0 && ` ${HELP.or} `, ...keys.map((key) => h('kbd', {}, key))]),
+        ways.flatMap((keys, i) => [
+          i > 0 && ` ${HELP.or} `,
+          ...keys.map((key) => (key === HELP.upTo ? ` ${key} ` : h('kbd', {}, key))),
+        ]),
       ),
       h('dd', {}, what),
     ]),

@@ -38,6 +38,9 @@ function nameOf(frame, { activeUser }) {
   return frame === 0 ? NUMBERS.frameName.base : NUMBERS.frame(frame);
 }
 
+/** @param {FrameId} frame @param {Doc} doc */
+const nameAtStart = (frame, doc) => (frame === 'user' ? nameOf(frame, doc) : NUMBERS.atStart(nameOf(frame, doc)));
+
 /** What is said of numbers that are not the only ones. @param {OrientationForm} form @param {Reading} reading */
 function freedomInWords({ labels }, { freedom, setToZero }) {
   if (freedom === null) return '';
@@ -80,7 +83,7 @@ export function runNumbersPanel(page, parts) {
     const all = framesOf(doc.robot, doc.activeUser !== undefined);
     /** @param {'frame' | 'from'} key @param {FrameId} frame */
     const item = (key, frame) => ({
-      title: nameOf(frame, doc),
+      title: nameAtStart(frame, doc),
       detail: frame === 'user' ? NUMBERS.userFrame : undefined,
       isChosen: frame === (key === 'frame' ? now : from),
       run: () => choose({ [key]: frame }),
@@ -134,7 +137,7 @@ export function runNumbersPanel(page, parts) {
     ([{ frame, from, form: id, tab }]) => {
       const { doc } = store.state;
       const form = orientationForm(id);
-      parts.titleText.textContent = NUMBERS.poseOf(nameOf(frame, doc));
+      parts.titleText.textContent = NUMBERS.poseOf(nameAtStart(frame, doc));
       parts.frameText.textContent = NUMBERS.seenFrom(nameOf(from, doc));
       parts.formText.textContent = tab === 'pose' ? form.name : TEXT.pose.tabDetail[tab];
       parts.form.title = tab === 'pose' ? (form.product ?? form.name) : TEXT.pose.chooseForm;

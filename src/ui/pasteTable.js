@@ -11,6 +11,7 @@ import { readTableText } from '../io/tableText.js';
 import { guessColumns } from '../io/tableTextColumns.js';
 import { DH_FIELDS } from '../model/document.js';
 import { ANGLE_UNITS, CONVENTIONS, LENGTH_UNITS } from '../model/documentRules.js';
+import './css/typedIn.css';
 import './css/pasteTable.css';
 import { DISMISSES, closeButton, openDialog } from './dialog.js';
 import { fill, h } from './dom.js';
@@ -38,7 +39,7 @@ export function openPasteTable(page, pasted, cell) {
   /** @type {{ roles: ColumnRole[], rows: readonly (readonly string[])[], plan: Plan | null }} */
   const now = { roles: [], rows: [], plan: null };
 
-  const text = h('textarea', { rows: 5, spellcheck: 'false', id: 'paste-text' });
+  const text = h('textarea', { class: 'text-box', rows: 5, spellcheck: 'false', id: 'paste-text' });
   text.value = pasted.slice(0, 100_000);
   const summary = h('p', { class: 'soft sm' });
   const length = select(PASTE.lengths, LENGTH_UNITS, robot.units.length);
@@ -226,7 +227,7 @@ function preview(plan, rows, roles) {
 function select(label, values, value, names = {}) {
   const control = h(
     'select',
-    {},
+    { class: 'choice-box' },
     values.map((each) => h('option', { value: each }, names[each] ?? each)),
   );
   control.value = value;

@@ -6,6 +6,7 @@
  * @import { TargetFields } from './targetFields.js'
  * @import { TargetParts } from './targetParts.js'
  */
+import './css/typedIn.css';
 import './css/target.css';
 import { poseFromXyzwpr } from '../model/aim.js';
 import { KERNEL_UNITS, matrixSheet, poseSheet } from '../model/copySheets.js';

@@ -35,9 +35,15 @@ export function createTargetPaste(page, fields, host, onClose) {
   /** @type {{ found: PoseText | null, readings: readonly Reading[], read: Read | null }} */
   const now = { found: null, readings: [], read: null };
 
-  const text = h('textarea', { rows: 3, spellcheck: 'false', 'aria-label': words.text, placeholder: words.hint });
+  const text = h('textarea', {
+    class: 'text-box',
+    rows: 3,
+    spellcheck: 'false',
+    'aria-label': words.text,
+    placeholder: words.hint,
+  });
   const summary = h('p', { class: 'soft sm' });
-  const as = h('select', { 'aria-label': words.as });
+  const as = h('select', { class: 'choice-box', 'aria-label': words.as });
   const length = unitSelect(words.lengths, LENGTH_UNITS);
   const angle = unitSelect(words.angles, ANGLE_UNITS);
   const choices = h('div', { class: 'paste-as', hidden: true }, as, length, angle);
@@ -164,6 +170,6 @@ export function createTargetPaste(page, fields, host, onClose) {
 const unitSelect = (label, units) =>
   h(
     'select',
-    { 'aria-label': label },
+    { class: 'choice-box', 'aria-label': label },
     units.map((unit) => h('option', { value: unit }, unit)),
   );

@@ -10,6 +10,7 @@ import { seenFromUser, targetPose } from '../model/frames.js';
 import { poseInUnits } from '../model/poseNumbers.js';
 import { configurationAt } from '../model/solutions.js';
 import { together } from '../model/views.js';
+import './css/typedIn.css';
 import './css/targets.css';
 import { fill, h, keepFocus } from './dom.js';
 import { icon } from './icons.js';
@@ -126,7 +127,14 @@ function row(id, index, frame) {
     'li',
     {},
     h('input', {
-      ...{ type: 'text', value: id, autocomplete: 'off', spellcheck: 'false', 'aria-label': TARGETS.name(id) },
+      ...{
+        type: 'text',
+        class: 'name-box',
+        value: id,
+        autocomplete: 'off',
+        spellcheck: 'false',
+        'aria-label': TARGETS.name(id),
+      },
       ...{ 'data-index': index, 'aria-describedby': 'target-reason' },
     }),
     frame !== undefined && h('span', { class: 'soft sm', title: TARGETS.givenIn(frame) }, frame),

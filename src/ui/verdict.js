@@ -70,7 +70,7 @@ function limitInWords({ joints, units }, { joint, by }) {
  * @param {boolean} isAsked    whether someone aims, or the target follows the tool
  * @param {AimAnswer | null} answer
  * @param {readonly number[]} posture
- * @returns {{ text: string, tone: 'quiet' | 'good' | 'bad', isThere: boolean }}
+ * @returns {{ text: string, tone: 'quiet' | 'good' | 'part' | 'bad', isThere: boolean }}
  */
 export function differenceInWords(robot, T_world_tcp, T_world_target, isAsked, answer, posture) {
   const { metres, radians, isHere, isClosed: isThere } = gapBetween(T_world_tcp, T_world_target);
@@ -85,6 +85,6 @@ export function differenceInWords(robot, T_world_tcp, T_world_target, isAsked, a
       isThere,
     };
   }
-  if (answer?.status === 'subspace' && isHere) return { text: verdictInWords(robot, answer), tone: 'good', isThere };
+  if (answer?.status === 'subspace' && isHere) return { text: verdictInWords(robot, answer), tone: 'part', isThere };
   return { text: TEXT.aim.toGo(length(robot, metres), angle(robot, radians)), tone: 'quiet', isThere };
 }

@@ -26,13 +26,13 @@ test.beforeEach(({ page }) =>
 test('the same orientation by other names, with the free angle named at gimbal lock', async ({ page }) => {
   await open(page);
   const note = page.locator('.pose-note');
-  await expect(note).toHaveText('W and R turn about the same axis here; R is set to 0.');
+  await expect(note).toHaveText('W and R turn about one axis here; R is 0.');
   await page.locator('.pose-panel [data-ask=form]').click();
   await expect(page.locator('.dropdown-menu.show')).toBeVisible();
   await expectAccessible(page, { within: '.right' });
   await page.getByRole('button', { name: /^KUKA ABC/ }).click();
   await expect(page.locator('.pose-panel [data-ask=form]')).toHaveText('KUKA ABC');
-  await expect(note).toHaveText('A and C turn about the same axis here; A is set to 0.');
+  await expect(note).toHaveText('A and C turn about one axis here; A is 0.');
   await page.evaluate(() => window.denavit.setJoints([10, 45, -180, 0, 35, 30]));
   await expect(note).toBeHidden();
   await choose(page, 'form', /^Quaternion wxyz/);

@@ -2,6 +2,9 @@
 
 /** @typedef {readonly [ways: readonly (readonly string[])[], what: string]} KeyRow */
 
+/** Between the first and the last of a row of keys. */
+const UP_TO = 'to';
+
 /** @type {readonly { title: string, keys: readonly KeyRow[] }[]} */
 const PLACES = [
   {
@@ -23,7 +26,10 @@ const PLACES = [
   {
     title: 'While buttons jog the arm',
     keys: [
-      [[['1'], ['6']], 'The first to the sixth joint or axis, for as long as the key is held; with Shift backwards'],
+      [
+        [['1', UP_TO, '6']],
+        'The first to the sixth joint or axis, for as long as the key is held; with Shift backwards',
+      ],
       [[['Esc'], ['Space']], 'Stop at once'],
     ],
   },
@@ -44,6 +50,7 @@ export const HELP = {
   control: 'Ctrl',
   shift: 'Shift',
   or: 'or',
+  upTo: UP_TO,
   shortcut: {
     undo: 'Undo: everything that changes the robot or moves it; a drag is one step',
     redo: 'Do it again',
@@ -70,7 +77,7 @@ export const HELP = {
         'Forward kinematics is exact to rounding. Right angles in a table are exact.',
         'Inverse kinematics shows a posture as reached only when forward kinematics agrees, within a millionth of a millimetre and a billionth of a radian, and inside the limits.',
         'A list of solutions says whether it is complete. A search can miss one, and says that it was a search.',
-        'Drawn links follow the table: they are not the maker’s shapes, and nothing checks for collisions. Masses and forces are not computed.',
+        'Drawn links follow the table: they are not the maker’s shapes, and nothing checks for collisions. Masses, gravity and motion under forces are not computed; the static torques of the Jacobian panel are of the force at the tool alone.',
         'The tables of the library are the published ones that each arm names as its source; your arm may have been calibrated to other numbers.',
       ],
     },

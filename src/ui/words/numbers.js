@@ -3,7 +3,9 @@
 export const NUMBERS = {
   frameName: { tool: 'tool', flange: 'flange', user: 'user frame', world: 'world', base: 'base' },
   frame: (/** @type {number} */ index) => `frame ${index}`,
-  poseOf: (/** @type {string} */ frame) => `${frame[0].toUpperCase()}${frame.slice(1)} pose`,
+  /** At the beginning of a line; the name that a person gave stays as it is. */
+  atStart: (/** @type {string} */ frame) => `${frame[0].toUpperCase()}${frame.slice(1)}`,
+  poseOf: (/** @type {string} */ frame) => `${frame} pose`,
   seenFrom: (/** @type {string} */ frame) => `in ${frame}`,
   userFrame: 'the active user frame',
   of: 'Pose of the',

@@ -14,6 +14,6 @@ export const POSE = {
   copyMore: 'Copy as…',
   copyFailed: 'The browser does not allow copying here.',
   locked: (/** @type {string} */ first, /** @type {string} */ last, /** @type {string} */ zero) =>
-    `${first} and ${last} turn about the same axis here; ${zero} is set to 0.`,
+    `${first} and ${last} turn about one axis here; ${zero} is 0.`,
   spoken: (/** @type {string} */ numbers) => `The tool is at ${numbers}.`,
 };

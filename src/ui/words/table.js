@@ -34,6 +34,7 @@ export const TABLE = {
   paste: 'Paste table',
   copy: 'Copy table',
   takeBack: 'Take back',
+  toWaiting: 'To that cell',
   escape: 'Esc',
   disagrees: (/** @type {string} */ text) =>
     `The file says that ${text} was typed for this, which is another value. The arm follows the number.`,

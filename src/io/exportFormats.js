@@ -7,13 +7,15 @@
  * @import { Issue } from '../model/issues.js'
  *
  * @typedef {object} ExportFormat
- * @property {'denavit' | 'urdf'} id
- * @property {string} extension   without the dot
+ * @property {'denavit' | 'urdf' | 'rlkin'} id
+ * @property {string} extension   without its first dot
  * @property {string} mediaType
  * @property {(doc: Doc) => string} write   of a sound document (model/validate.js)
  * @property {(doc: Doc) => Issue[]} losses
  */
 import { deepFreeze } from '../model/freeze.js';
+import { rlkinLosses } from './rlkin/rlkinLosses.js';
+import { writeRlkin } from './rlkin/rlkinWriter.js';
 import { robotXmlLosses } from './robotXmlLosses.js';
 import { writeRobotXml } from './robotXmlWriter.js';
 import { urdfLosses } from './urdf/urdfLosses.js';
@@ -25,4 +27,5 @@ const XML = 'application/xml';
 export const EXPORT_FORMATS = deepFreeze([
   { id: 'denavit', extension: 'xml', mediaType: XML, write: writeRobotXml, losses: robotXmlLosses },
   { id: 'urdf', extension: 'urdf', mediaType: XML, write: writeUrdf, losses: urdfLosses },
+  { id: 'rlkin', extension: 'rlkin.xml', mediaType: XML, write: writeRlkin, losses: rlkinLosses },
 ]);

@@ -17,6 +17,7 @@
 import { homePosture } from '../model/document.js';
 import { shownText } from '../model/shownText.js';
 import { fileIssue } from './fileIssues.js';
+import { forbiddenCharacterAt } from './xmlText.js';
 
 /** How many names a sentence lists before it counts. */
 const MOST_NAMES = 6;
@@ -153,6 +154,20 @@ export function renamed(format, names, path) {
   if (others.length === 0) return [];
   const pairs = others.map(([is, written]) => `"${shownText(is)}" as "${written}"`);
   const message = `${format} has other names: ${pairs.slice(0, MOST_NAMES).join(', ')}.`;
+  return [fileIssue('not-kept', message, { path })];
+}
+
+/**
+ * A character that no XML file can hold.
+ * @param {string} text
+ * @param {string} path
+ * @returns {Issue[]}
+ */
+export function characterLosses(text, path) {
+  const at = forbiddenCharacterAt(text);
+  if (at === -1) return [];
+  const code = text.codePointAt(at)?.toString(16).toUpperCase().padStart(4, '0');
+  const message = `XML has no place for the character U+${code} in ${path}; the replacement character U+FFFD stands for it.`;
   return [fileIssue('not-kept', message, { path })];
 }
 

@@ -7,6 +7,7 @@
  * @import { Snap } from './urdf/urdfArm.js'
  */
 import { fileIssue } from './fileIssues.js';
+import { isRlkin, rlkinFrom } from './rlkin.js';
 import { robotXmlFrom } from './robotXml.js';
 import { urdfFrom } from './urdf.js';
 import { readXmlTree } from './xmlTree.js';
@@ -18,6 +19,7 @@ import { readXmlTree } from './xmlTree.js';
 export function readRobotFile(text) {
   const { root, issues } = readXmlTree(text);
   if (!root) return { doc: null, issues };
+  if (isRlkin(root)) return rlkinFrom(root);
   if (root.name !== 'robot' || root.namespace !== '') return robotXmlFrom(root);
   const urdf = urdfFrom(root, {});
   return { doc: urdf.doc, issues: [...urdf.issues, ...(urdf.doc ? urdf.snaps.map(nearlyParallel) : [])] };

@@ -4,21 +4,13 @@
  * @import { Doc } from '../model/document.js'
  * @import { Issue } from '../model/issues.js'
  */
-import { fileIssue } from './fileIssues.js';
-import { forbiddenCharacterAt } from './xmlText.js';
+import { characterLosses } from './losses.js';
 
 /**
  * @param {Doc} doc
  * @returns {Issue[]} warnings
  */
-export const robotXmlLosses = (doc) =>
-  [...textsOf(doc, '')].flatMap(({ text, path }) => {
-    const at = forbiddenCharacterAt(text);
-    if (at === -1) return [];
-    const code = text.codePointAt(at)?.toString(16).toUpperCase().padStart(4, '0');
-    const message = `XML has no place for the character U+${code} in ${path}; the replacement character U+FFFD stands for it.`;
-    return [fileIssue('not-kept', message, { path })];
-  });
+export const robotXmlLosses = (doc) => [...textsOf(doc, '')].flatMap(({ text, path }) => characterLosses(text, path));
 
 /** @param {unknown} value @param {string} path @returns {Generator<{ text: string, path: string }>} */
 function* textsOf(value, path) {

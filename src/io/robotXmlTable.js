@@ -42,13 +42,13 @@ export const ROBOT_VERSION = '1.0';
 const LABEL = types.string(rules.MAX_LABEL_LENGTH);
 
 /** @param {string} name @param {ValueType} type @param {string} at @returns {AttributeRule} */
-const required = (name, type, at = name) => ({ name, type, at, required: true });
+export const required = (name, type, at = name) => ({ name, type, at, required: true });
 
 /** @param {string} name @param {ValueType} type @param {{ at?: string, default?: unknown }} [more] @returns {AttributeRule} */
-const optional = (name, type, { at = name, ...more } = {}) => ({ name, type, at, required: false, ...more });
+export const optional = (name, type, { at = name, ...more } = {}) => ({ name, type, at, required: false, ...more });
 
 /** @param {string} name @param {Partial<ElementRule>} more @returns {ElementRule} */
-const element = (name, more) => ({ name, min: 0, max: 1, attributes: [], order: 'all', children: [], ...more });
+export const element = (name, more) => ({ name, min: 0, max: 1, attributes: [], order: 'all', children: [], ...more });
 
 /** @param {string} name @param {string} at @param {ValueType} [type] */
 const textElement = (name, at, type = LABEL) => element(name, { text: { type, at } });

@@ -83,6 +83,18 @@ export const POSITIVE = {
 };
 
 /** @type {ValueType} */
+export const NOT_NEGATIVE = {
+  ...FINITE,
+  example: '2.5',
+  read(text) {
+    const reading = readNumber(text, 'finite');
+    if (!('value' in reading) || reading.value >= 0) return reading;
+    return { code: 'number', expected: `a number from 0 to ${LARGEST_NUMBER}` };
+  },
+  facets: { base: 'double', minInclusive: 0, maxInclusive: LARGEST_NUMBER },
+};
+
+/** @type {ValueType} */
 export const POSITIVE_INTEGER = {
   example: '1',
   read(text) {
@@ -141,6 +153,12 @@ function token(pattern, expected, example) {
 }
 
 export const ID = token(ID_PATTERN, 'a letter or _, then letters, digits or _, at most 64 characters', 'joint_1');
+/** What XML calls a name without a colon. */
+export const XML_NAME = token(
+  /^[\p{L}_][\p{L}\p{N}\p{M}._-]*$/u,
+  'a letter or _, then letters, digits, ".", "-" or _',
+  'joint0',
+);
 export const COLOUR = token(COLOUR_PATTERN, 'a colour such as #ffcc00', '#ffcc00');
 export const VERSION = token(/^1\.[0-9]{1,3}$/, 'a version such as 1.0', '1.0');
 

@@ -1,5 +1,5 @@
 /**
- * A chain of a URDF → a robot of ours: its joints' axes become a Denavit–Hartenberg table, what is left over goes to base and
+ * A chain of joints, as a URDF has them → a robot of ours: its joints' axes become a Denavit–Hartenberg table, what is left over goes to base and
  * tool, and the two are held against each other at many postures before anybody sees the table.
  *
  * @import { Pose } from '../../kinematics/pose.js'
@@ -44,6 +44,8 @@ const FARTHEST_SLIDE = 1; // m, of a slide without limits
 
 const UNITS = /** @type {const} */ ({ length: 'm', angle: 'deg' });
 
+const NO_LIMITS = { lower: -Infinity, upper: Infinity };
+
 /** What a joint does at a value: about or along its axis. @param {UrdfJoint} joint @param {number} value */
 const motion = ({ type, axis }, value) =>
   type === 'prismatic' ? translation(axis.map((part) => part * value)) : poseFromAxisAngle([0, 0, 0], axis, value);
@@ -83,8 +85,10 @@ function postures(joints) {
   return Array.from({ length: POSTURES }, () =>
     Float64Array.from(joints, ({ type, limit }) => {
       const reach = type === 'prismatic' ? FARTHEST_SLIDE : Math.PI;
-      const { lower, upper } = type === 'continuous' || !limit ? { lower: -reach, upper: reach } : limit;
-      return lower + random() * (upper - lower);
+      const { lower, upper } = type === 'continuous' || !limit ? NO_LIMITS : limit;
+      const from = Number.isFinite(lower) ? lower : Math.min(upper, reach) - 2 * reach;
+      const to = Number.isFinite(upper) ? upper : from + 2 * reach;
+      return from + random() * (to - from);
     }),
   );
 }
@@ -119,7 +123,7 @@ export function armFrom(path, { name, source, snap = 0 }) {
     moves: snapError(path, Math.max(snap, angle * (1 + 1e-9)), samples, truth),
   }));
   if (snap === 0 && !(off <= EXACT)) {
-    const message = `The table that was found differs from the URDF by ${off.toPrecision(2)} (metres or radians); expected ${EXACT} at most.`;
+    const message = `The table that was found differs from the file by ${off.toPrecision(2)} (metres or radians); expected ${EXACT} at most.`;
     return { robot: null, issues: [fileIssue('not-exact', message)], snaps };
   }
   const robot = TIDY_DIGITS.map(build).find((tidy) => error(tidy) <= off + TIDY) ?? exact;
@@ -184,7 +188,7 @@ function robotFrom(joints, { T_base_frame0, rows, T_flange_tip }, { name, source
 function jointFrom({ name, type, limit }, { theta, d, a, alpha }, { id, length, angle }) {
   const slides = type === 'prismatic';
   const value = (/** @type {number} */ number) => (slides ? number : convertAngle(number, 'rad', 'deg'));
-  const bounds = limit && type !== 'continuous' ? { lower: value(limit.lower), upper: value(limit.upper) } : {};
+  const { lower, upper } = limit && type !== 'continuous' ? limit : NO_LIMITS;
   const label = shownText(name);
   return {
     id,
@@ -194,7 +198,8 @@ function jointFrom({ name, type, limit }, { theta, d, a, alpha }, { id, length, 
     d: length(d),
     a: length(a),
     alpha: angle(alpha),
-    ...bounds,
+    ...(Number.isFinite(lower) && { lower: value(lower) }),
+    ...(Number.isFinite(upper) && { upper: value(upper) }),
     ...(limit?.velocity !== undefined && { velocity: value(limit.velocity) }),
     ...(limit?.effort !== undefined && { effort: limit.effort }),
     link: { kind: 'auto' },

@@ -1,20 +1,13 @@
 /**
- * A robot of ours → URDF 1.0. A joint moves before its link, so that each row's constant part goes into the origin of the next
- * joint: no helper joints, and every axis is z.
- *
- *   standard  A_i(q) = Z(q) · C_i  with  C_i = Rz(θ) Tz(d) Tx(a) Rx(α):  xyz = (a cos θ, a sin θ, d), rpy = (α, 0, θ)
- *   modified  A_i(q) = C_i · Z(q)  with  C_i = Rx(α) Tx(a) Tz(d) Rz(θ)
- *
- * What URDF has no place for is left out, which urdfLosses.js tells.
+ * A robot of ours → URDF 1.0: joints at the frames of armFrames.js, so that every axis is z and there are no helper joints. What URDF has no place for is left out, which urdfLosses.js tells.
  *
  * @import { Doc, JointDoc, Units } from '../../model/document.js'
  */
-import { exactCosine, exactSine } from '../../kinematics/angles.js';
 import { rollPitchYawOf } from '../../kinematics/orientation.js';
-import { compose, identity, position } from '../../kinematics/pose.js';
-import { compilePose } from '../../model/compile.js';
+import { position } from '../../kinematics/pose.js';
 import { isSliding, limitsOf, quantityOf } from '../../model/document.js';
 import { toKernel } from '../../model/units.js';
+import { armFrames } from '../armFrames.js';
 import { idsFor } from './ids.js';
 
 /** What the format asks for and the model does not have. Real values are the maker's. */
@@ -27,16 +20,6 @@ export const FAR = 1e6;
 const number = (value) => String(value + 0); // no −0
 /** @param {readonly number[]} values */
 const numbers = (values) => values.map(number).join(' ');
-
-/** The constant part of a row. @param {JointDoc} joint @param {Doc['robot']} robot */
-function constantOf(joint, { convention, units }) {
-  const [theta, alpha] = [joint.theta, joint.alpha].map((value) => toKernel('angle', value, units));
-  const [d, a] = [joint.d, joint.a].map((value) => toKernel('length', value, units));
-  const [ct, st, ca, sa] = [exactCosine(theta), exactSine(theta), exactCosine(alpha), exactSine(alpha)];
-  return convention === 'standard'
-    ? Float64Array.of(ct, st, 0, 0, -st * ca, ct * ca, sa, 0, st * sa, -ct * sa, ca, 0, a * ct, a * st, d, 1)
-    : Float64Array.of(ct, ca * st, sa * st, 0, -st, ca * ct, sa * ct, 0, 0, -sa, ca, 0, a, -sa * d, ca * d, 1);
-}
 
 /** @param {ArrayLike<number>} T */
 const originOf = (T) => `<origin xyz="${numbers(position(T))}" rpy="${numbers(rollPitchYawOf(T))}"/>`;
@@ -93,29 +76,24 @@ export function writeUrdf({ robot }) {
   const { joints, units, convention } = robot;
   const { robot: robotName, joints: jointNames } = urdfNames(robot);
   const links = ['base_link', ...joints.map((_, i) => `link_${i + 1}`)];
-  /** What stands between the joint before and this one. */
-  let between = compilePose(robot.base, units);
-  const parts = [];
-  for (const [i, joint] of joints.entries()) {
-    const constant = constantOf(joint, robot);
-    const T = convention === 'standard' ? between : compose(between, constant);
-    between = convention === 'standard' ? constant : identity();
-    parts.push(`  <joint name="${jointNames[i]}" type="${urdfTypeOf(joint)}">
-    ${originOf(T)}
+  const { T_parent_joints, T_last_flange, T_flange_tool } = armFrames(robot);
+  const parts = joints.map(
+    (joint, i) => `  <joint name="${jointNames[i]}" type="${urdfTypeOf(joint)}">
+    ${originOf(T_parent_joints[i])}
     <parent link="${links[i]}"/>
     <child link="${links[i + 1]}"/>
     <axis xyz="0 0 1"/>
     ${limitOf(joint, units)}
-  </joint>`);
-  }
+  </joint>`,
+  );
   const last = links[links.length - 1];
   return `<?xml version="1.0" encoding="UTF-8"?>
 <!-- Made with Denavit from a ${convention} Denavit-Hartenberg table. Masses and inertias are placeholders, and so are an effort
      of ${PLACEHOLDERS.effort} and a velocity of ${PLACEHOLDERS.velocity}: the table does not have them. -->
 <robot name="${robotName}">
 ${[...links.map(linkText), '  <link name="flange"/>', '  <link name="tool0"/>', ...parts].join('\n')}
-${fixedText('flange_joint', last, 'flange', between)}
-${fixedText('tool0_joint', 'flange', 'tool0', compilePose(robot.tool, units))}
+${fixedText('flange_joint', last, 'flange', T_last_flange)}
+${fixedText('tool0_joint', 'flange', 'tool0', T_flange_tool)}
 </robot>
 `;
 }

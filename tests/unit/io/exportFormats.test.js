@@ -70,7 +70,7 @@ test('the list is frozen, the formats are named once, files have an extension an
   expect(Object.isFrozen(EXPORT_FORMATS) && EXPORT_FORMATS.every((format) => Object.isFrozen(format))).toBe(true);
   expect(new Set(EXPORT_FORMATS.map(({ id }) => id)).size).toBe(EXPORT_FORMATS.length);
   for (const { extension, mediaType } of EXPORT_FORMATS) {
-    expect(extension).toMatch(/^[a-z]+$/);
+    expect(extension).toMatch(/^[a-z]+(\.xml)?$/);
     expect(mediaType).toMatch(/^[a-z]+\/[a-z.+-]+$/);
   }
 });

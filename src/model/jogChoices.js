@@ -5,7 +5,7 @@
  * @import { JogFrame } from './jog.js'
  *
  * @typedef {object} JogChoices
- * @property {'sliders' | 'joints' | 'tool'} mode  joints: buttons instead of sliders
+ * @property {'sliders' | 'dials' | 'joints' | 'tool'} mode  joints: buttons instead of sliders
  * @property {JogFrame} frame     whose axes the tool is moved along
  * @property {boolean} isByStep   a press is one step; else the arm moves for as long as it is held
  * @property {number} step        mm
@@ -27,6 +27,9 @@ export const RATES = { millimetres: 250, degrees: 45, jointDegrees: 180 };
 
 /** @type {{ length: 'mm', angle: 'deg' }} */
 export const PENDANT_UNITS = { length: 'mm', angle: 'deg' };
+
+/** Whether there are buttons to jog by. @param {JogChoices} choices */
+export const hasJogButtons = ({ mode }) => mode === 'joints' || mode === 'tool';
 
 /** A step in metres or radians. @param {JogChoices} choices @param {boolean} isTurn */
 export const stepOf = ({ step, turn }, isTurn) =>

@@ -81,6 +81,18 @@ export function isInside(joint, value) {
   return value >= lower && value <= upper;
 }
 
+/**
+ * How far a value is from the nearer limit, and which one that is; negative: beyond it.
+ * @param {JointDoc} joint @param {number} value
+ * @returns {{ by: number, limit: 'lower' | 'upper' | null }}
+ */
+export function limitMargin(joint, value) {
+  const { lower, upper } = limitsOf(joint);
+  const [above, below] = [value - lower, upper - value];
+  const by = Math.min(above, below);
+  return { by, limit: by === Infinity ? null : above < below ? 'lower' : 'upper' };
+}
+
 /** The nearest value inside the limits. @param {JointDoc} joint @param {number} value */
 export function inside(joint, value) {
   const { lower, upper } = limitsOf(joint);

@@ -55,7 +55,7 @@ export function createJogPanel(page, host, pose) {
     ),
     list,
     modes.pendant,
-    h('div', { class: 'jog-switches' }, keepRow, modes.buttonsRow, pendant.row),
+    h('div', { class: 'jog-switches' }, keepRow, modes.dialsRow, modes.buttonsRow, pendant.row),
     pendant.note,
     h('div', { id: 'jog-reason' }, reasons.element, remarkLine),
   );

@@ -6,6 +6,7 @@
  * @import { Progress, Way } from './jogMotion.js'
  */
 import './css/jogPendant.css';
+import { hasJogButtons } from '../model/jogChoices.js';
 import { together } from '../model/views.js';
 import { fill, h } from './dom.js';
 import { createFrameChooser } from './jogFrames.js';
@@ -114,7 +115,7 @@ export function createJogPendant(page, host) {
   }
 
   watchJogKeys(keys, {
-    isOpen: () => mode() !== 'sliders' && host.checkVisibility(),
+    isOpen: () => hasJogButtons(store.state.session.jog) && host.checkVisibility(),
     isMoving: () => motion.isHeld,
     press: (row, sign, isByStep) => ways[row] && motion.press(ways[row], sign, isByStep),
     stop: motion.stop,
@@ -129,7 +130,7 @@ export function createJogPendant(page, host) {
       motion.stop();
       say(['', false]);
       shape = wanted;
-      if (jog.mode !== 'sliders') build();
+      if (hasJogButtons(jog)) build();
     },
   );
   addView(

@@ -8,15 +8,19 @@
  * @import { Reasons } from './reasons.js'
  * @import { Range } from '../model/jogRange.js'
  */
-import { homePosture, limitsOf, quantityOf } from '../model/document.js';
-import { grown, inside, isInside, jogRange } from '../model/jogRange.js';
+import { homePosture, isSliding, limitsOf, quantityOf } from '../model/document.js';
+import { grown, inside, isInside, jogRange, limitMargin } from '../model/jogRange.js';
 import { groundOf } from '../model/jointNumbers.js';
 import { editCell } from './cellEditor.js';
-import { h } from './dom.js';
+import { fill, h } from './dom.js';
 import { editable, jointNumber, jointStep, unitOf, unitSign, withUnit } from './format.js';
+import { icon } from './icons.js';
 import { stepsOf } from './jogKeys.js';
 import { watchSlider } from './jogSlider.js';
 import { TEXT } from './strings.js';
+
+/** A joint is near a limit where less is left than this share of its slider. */
+const NEAR = 0.05;
 
 /** "−45° to 225°", "at most 160°". @param {JointDoc} joint @param {Units} units */
 export function limitsInWords(joint, units) {
@@ -60,9 +64,10 @@ export function createJogRow(page, robot, index, onReason, numbers) {
     'aria-label': TEXT.jog.field(index + 1, TEXT.table.unitName[unit]),
   });
   const mark = (/** @type {string} */ name) => h('span', { class: name, 'aria-hidden': 'true' });
+  const margin = h('small', { class: 'margin' }); // seen where there are dials
   const row = h(
     'div',
-    { class: 'jog' },
+    { class: isSliding(joint()) ? 'jog slides' : 'jog' },
     h('span', { class: 'name', title: TEXT.table.jointType[type] }, `J${index + 1}`),
     h(
       'span',
@@ -73,6 +78,7 @@ export function createJogRow(page, robot, index, onReason, numbers) {
       slider,
     ),
     h('label', { class: 'field' }, field, h('span', { class: 'unit' }, unitSign(unit))),
+    margin,
   );
 
   /** @type {Range} */
@@ -142,6 +148,13 @@ export function createJogRow(page, robot, index, onReason, numbers) {
     slider.setAttribute('aria-valuetext', inWords(value));
     place('--a', Math.min(0, value));
     place('--b', Math.max(0, value));
+    place('--v', value);
+    const left = limitMargin(joint(), value);
+    const isNear = left.by < NEAR * (range.most - range.least);
+    const by = withUnit(jointNumber(Math.abs(left.by), unit), unit);
+    const words = left.by < 0 ? TEXT.jog.beyond(by) : left.limit ? TEXT.jog.toLimit(by) : TEXT.jog.noLimit;
+    fill(margin, isNear && icon('exclamation'), words);
+    row.classList.toggle('is-near', isNear);
     row.classList.toggle('on', isHeld);
     row.classList.toggle('is-outside', !isInside(joint(), value));
     row.classList.toggle('at-stop', isHeld && keeps && (value === lower || value === upper));

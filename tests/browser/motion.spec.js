@@ -1,4 +1,4 @@
-/** What shows how the arm moves: the trace of its tool. */
+/** What shows how the arm moves: the trace of its tool, and the dials of its joints. */
 import { expect, test } from '@playwright/test';
 import { expectAccessible } from './accessible.js';
 import { draws, open, settled, tool } from './page.js';
@@ -36,4 +36,41 @@ test('the trace is as long as the way of the tool, has gaps where it was not, an
   await page.getByRole('button', { name: 'No trace', exact: true }).click();
   await expect(line).toBeHidden();
   await expect(page.locator('canvas')).not.toHaveAttribute('aria-label', /trace/i);
+});
+
+test('a joint is turned by its dial, by hand and by keys, and says what is left to its limits', async ({ page }) => {
+  await open(page, 'q=0,40,-150,0,30,0');
+  const panel = page.locator('.jog-panel');
+  await panel.getByText('Dials', { exact: true }).click();
+  const dial = panel.getByRole('slider', { name: 'Joint 1', exact: true });
+  await expect(dial).toHaveCSS('opacity', '0'); // the arc is drawn in its place
+  const joint = () => page.evaluate(() => window.denavit.joints()[0]);
+  const box = await dial.boundingBox();
+  if (!box) throw new Error('The dial is not seen.');
+  const [x, y, radius] = [box.x + box.width / 2, box.y + box.height / 2, box.width / 2 - 4];
+  /** @param {number} degrees  clockwise from the top */
+  const go = (degrees) => {
+    const angle = (degrees / 180) * Math.PI;
+    return page.mouse.move(x + radius * Math.sin(angle), y - radius * Math.cos(angle));
+  };
+  await go(-30);
+  await page.mouse.down();
+  for (const degrees of [-20, 0, 20, 40, 60]) await go(degrees);
+  // 90 of the 270 degrees of the arc, on which the joint has 320
+  expect(Math.abs((await joint()) - 320 / 3)).toBeLessThan(0.2);
+  await expect(dial).toHaveAttribute('aria-valuetext', /^106\.\d°$/);
+  await page.keyboard.press('Escape');
+  expect(await joint()).toBe(0);
+  await page.mouse.up();
+
+  await dial.focus();
+  await page.keyboard.press('End');
+  const row = panel.locator('.jog', { has: page.getByRole('slider', { name: 'Joint 1', exact: true }) });
+  await expect(row).toHaveClass(/is-near/);
+  await expect(row.locator('.margin')).toHaveText('0.0° to limit');
+  await panel.getByText('Stop at limits', { exact: true }).click();
+  await dial.focus();
+  await page.keyboard.press('PageUp');
+  await expect(row.locator('.margin')).toHaveText('10.0° beyond');
+  await expectAccessible(page, { within: '.jog-panel' });
 });

@@ -1,7 +1,7 @@
 /** How far sliders go. */
 import fc from 'fast-check';
 import { expect, test } from 'vitest';
-import { grown, inside, isInside, jogRange, zeroPosture } from '../../../src/model/jogRange.js';
+import { grown, inside, isInside, jogRange, limitMargin, zeroPosture } from '../../../src/model/jogRange.js';
 import { LIBRARY } from '../../../src/model/library.js';
 import { SEED, runs } from '../../helpers/property.js';
 
@@ -62,4 +62,15 @@ test('zero, or the limit that is nearest to it, and which joints that was', () =
   expect(zeroPosture(puma560, true).stopped).toEqual([]);
   expect(inside(shifted.joints[0], 100)).toBe(90);
   expect(isInside(shifted.joints[0], 90)).toBe(true);
+});
+
+test('what is left to the nearer limit, less than nothing beyond it', () => {
+  const second = puma560.joints[1]; // −45° to 225°
+  expect(limitMargin(second, 0)).toEqual({ by: 45, limit: 'lower' });
+  expect(limitMargin(second, 200)).toEqual({ by: 25, limit: 'upper' });
+  expect(limitMargin(second, 225)).toEqual({ by: 0, limit: 'upper' });
+  expect(limitMargin(second, -50)).toEqual({ by: -5, limit: 'lower' });
+  const free = { ...second, lower: undefined, upper: undefined };
+  expect(limitMargin(free, 7)).toEqual({ by: Infinity, limit: null });
+  expect(limitMargin({ ...free, upper: 10 }, 7)).toEqual({ by: 3, limit: 'upper' });
 });

@@ -3,7 +3,7 @@
  * What every format must answer for is here; what is a matter of one of them (names, limits, placeholders) is told beside its
  * writer.
  *
- * @import { Doc, JointDoc, RobotInfo } from '../model/document.js'
+ * @import { Doc, JointDoc, RobotDoc, RobotInfo } from '../model/document.js'
  * @import { Issue } from '../model/issues.js'
  *
  * @typedef {'velocity' | 'acceleration' | 'jerk' | 'effort'} Rate
@@ -14,9 +14,10 @@
  * @property {readonly (keyof RobotInfo)[]} info
  * @property {readonly Rate[]} rates
  */
-import { homePosture } from '../model/document.js';
+import { homePosture, limitsOf } from '../model/document.js';
 import { shownText } from '../model/shownText.js';
 import { fileIssue } from './fileIssues.js';
+import { FAR } from './placeholders.js';
 import { forbiddenCharacterAt } from './xmlText.js';
 
 /** How many names a sentence lists before it counts. */
@@ -156,6 +157,48 @@ export function renamed(format, names, path) {
   const message = `${format} has other names: ${pairs.slice(0, MOST_NAMES).join(', ')}.`;
   return [fileIssue('not-kept', message, { path })];
 }
+
+/**
+ * @param {string} format
+ * @param {RobotDoc} robot
+ * @param {{ robot: string, joints: readonly string[] }} written
+ * @returns {Issue[]}
+ */
+export function nameLosses(format, { name, joints }, written) {
+  const ofJoints = joints.map(({ id }, i) => /** @type {const} */ ([id, written.joints[i]]));
+  return [
+    ...renamed(format, name === '' ? [] : [[name, written.robot]], 'robot.name'),
+    ...renamed(format, ofJoints, 'robot.joints'),
+  ];
+}
+
+/**
+ * Limits that a continuous joint has and nobody heeds.
+ * @param {string} format
+ * @param {readonly JointDoc[]} joints
+ */
+export const unusedLimits = (format, joints) =>
+  ofJoints(
+    joints,
+    'lower',
+    ({ type, lower, upper }) => type === 'continuous' && (lower !== undefined || upper !== undefined),
+    (those) => `${format} has no place for the unused limits of ${those}.`,
+  );
+
+/**
+ * One limit, where a format asks for both or none.
+ * @param {string} format
+ * @param {readonly JointDoc[]} joints
+ * @param {(joint: JointDoc) => boolean} areWritten
+ */
+export const oneSided = (format, joints, areWritten) =>
+  ofJoints(
+    joints,
+    'lower',
+    (joint) => areWritten(joint) && Object.values(limitsOf(joint)).some((end) => !Number.isFinite(end)),
+    (those) => `${format} asks for both limits; at least ${FAR} (rad or m) stands for what is missing of ${those}.`,
+    'placeholder',
+  );
 
 /**
  * A character that no XML file can hold.

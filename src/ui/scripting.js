@@ -63,6 +63,24 @@ export function createScripting({ store, derived, opener }, { ready, clock }) {
     /** The robot as a URDF. */
     urdf: () => writeUrdf(store.state.doc),
 
+    /**
+     * The document as it stands now in one of the formats that it can be written in.
+     * @param {string} format  an id of io/exportFormats.js
+     */
+    async file(format) {
+      const { doc } = store.state;
+      return (await formatCalled(format)).write(doc);
+    },
+
+    /**
+     * What that format will not hold of it: one sentence each.
+     * @param {string} format
+     */
+    async losses(format) {
+      const { doc } = store.state;
+      return (await formatCalled(format)).losses(doc).map(({ message }) => message);
+    },
+
     /** Joint values in document units. */
     joints: () => [...store.state.doc.posture],
 
@@ -89,4 +107,13 @@ export function createScripting({ store, derived, opener }, { ready, clock }) {
     undo: () => store.dispatch({ type: 'undo' }),
     redo: () => store.dispatch({ type: 'redo' }),
   };
+}
+
+/** @param {string} id */
+async function formatCalled(id) {
+  const { EXPORT_FORMATS } = await import('../io/exportFormats.js');
+  const format = EXPORT_FORMATS.find((each) => each.id === id);
+  if (format) return format;
+  const ids = EXPORT_FORMATS.map((each) => each.id).join(', ');
+  throw new RangeError(`Expected one of ${ids}, got "${String(id).slice(0, 80)}".`);
 }

@@ -44,7 +44,9 @@ test('a model is saved, opened on a fresh page, and saved again as the same byte
   await expect(page.getByRole('button', { name: /^Planar 2R/ })).toBeVisible();
 });
 
-test('a URDF is opened as the same arm, and goes out as one', async ({ page }) => {
+test('a URDF is opened as the same arm, and goes out as one and in other formats, with what they lose', async ({
+  page,
+}) => {
   await open(page);
   const urdf = await readFile(new URL('../fixtures/urdf/kuka_kr6r900sixx.urdf', import.meta.url), 'utf8');
   await choose(page, 'kr6.urdf', urdf);
@@ -53,6 +55,24 @@ test('a URDF is opened as the same arm, and goes out as one', async ({ page }) =
   const [x, y, z] = place; // upper arm and forearm stretched out along x
   expect([x, y, z]).toEqual([expect.closeTo(0.98, 9), expect.closeTo(0, 9), expect.closeTo(0.435, 9)]);
   await page.evaluate(() => window.denavit.load(window.denavit.urdf()));
+  (await tool(page)).forEach((value, i) => expect(value).toBeCloseTo(place[i], 9));
+  const said = await page.evaluate(async () => {
+    const { denavit } = window;
+    const files = await Promise.all(['denavit', 'urdf', 'sdf', 'mjcf', 'rlkin'].map((id) => denavit.file(id)));
+    const losses = await denavit.losses('sdf');
+    await denavit.load(files[4]);
+    const other = await denavit.file('docx').catch((/** @type {Error} */ error) => error.message);
+    return { files, losses, other };
+  });
+  expect(said.files.map((text) => /<(\w+)[ >]/.exec(text)?.[1])).toEqual([
+    'robotModel',
+    'robot',
+    'sdf',
+    'mujoco',
+    'rlkin',
+  ]);
+  expect(said.losses[0]).toMatch(/^SDFormat has frames in m and rad and no table; the 6 rows/);
+  expect(said.other).toBe('Expected one of denavit, urdf, sdf, mjcf, rlkin, got "docx".');
   (await tool(page)).forEach((value, i) => expect(value).toBeCloseTo(place[i], 9));
 });
 

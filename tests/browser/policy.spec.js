@@ -100,7 +100,7 @@ test(`${names.length} hostile names are text wherever a name is shown`, async ({
         label: window.denavit.model().joints[0].label,
         page: document.body.innerText,
         title: document.title,
-        text: window.denavit.xml() + window.denavit.urdf(),
+        text: (await Promise.all(['denavit', 'urdf', 'sdf', 'mjcf', 'rlkin'].map(window.denavit.file))).join(''),
       };
     }, armCalled(name));
     expect([seen.kept, seen.label]).toEqual([name, name]);

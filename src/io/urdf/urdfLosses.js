@@ -4,10 +4,9 @@
  * @import { Doc } from '../../model/document.js'
  * @import { Issue } from '../../model/issues.js'
  */
-import { limitsOf } from '../../model/document.js';
-import { fileIssue } from '../fileIssues.js';
-import { lossesIn, ofJoints, renamed } from '../losses.js';
-import { FAR, PLACEHOLDERS, urdfNames, urdfTypeOf } from './urdfWriter.js';
+import { lossesIn, nameLosses, ofJoints, oneSided, unusedLimits } from '../losses.js';
+import { massPlaceholder, PLACEHOLDERS } from '../placeholders.js';
+import { urdfNames, urdfTypeOf } from './urdfWriter.js';
 
 const FORMAT = 'URDF';
 
@@ -16,39 +15,21 @@ const FORMAT = 'URDF';
  * @returns {Issue[]} warnings
  */
 export function urdfLosses(doc) {
-  const { name, joints } = doc.robot;
-  const names = urdfNames(doc.robot);
-  const { mass, inertia, effort, velocity } = PLACEHOLDERS;
-  const masses = `${FORMAT} asks for masses and inertias; ${mass} kg and ${inertia} kg m² stand for those of ${joints.length + 1} links.`;
+  const { robot } = doc;
+  const { joints } = robot;
+  const { effort, velocity } = PLACEHOLDERS;
   return [
     ...lossesIn({ format: FORMAT, table: false, info: [], rates: ['velocity', 'effort'] }, doc),
-    ...renamed(FORMAT, name === '' ? [] : [[name, names.robot]], 'robot.name'),
-    ...renamed(
-      FORMAT,
-      joints.map(({ id }, i) => [id, names.joints[i]]),
-      'robot.joints',
-    ),
+    ...nameLosses(FORMAT, robot, urdfNames(robot)),
     ...ofJoints(
       joints,
       'type',
       (joint) => joint.type === 'revolute' && urdfTypeOf(joint) === 'continuous',
       (those) => `${FORMAT} calls a turn without limits continuous, so that ${those} will be of that type.`,
     ),
-    ...ofJoints(
-      joints,
-      'lower',
-      ({ type, lower, upper }) => type === 'continuous' && (lower !== undefined || upper !== undefined),
-      (those) => `${FORMAT} has no place for the unused limits of ${those}.`,
-    ),
-    ...ofJoints(
-      joints,
-      'lower',
-      (joint) =>
-        urdfTypeOf(joint) !== 'continuous' && Object.values(limitsOf(joint)).some((end) => !Number.isFinite(end)),
-      (those) => `${FORMAT} asks for both limits; ${FAR} (rad or m) stands for what is missing of ${those}.`,
-      'placeholder',
-    ),
-    fileIssue('placeholder', masses, { path: 'robot.joints' }),
+    ...unusedLimits(FORMAT, joints),
+    ...oneSided(FORMAT, joints, (joint) => urdfTypeOf(joint) !== 'continuous'),
+    massPlaceholder(FORMAT, joints.length + 1),
     ...ofJoints(
       joints,
       'velocity',

@@ -8,13 +8,8 @@ import { position } from '../../kinematics/pose.js';
 import { isSliding, limitsOf, quantityOf } from '../../model/document.js';
 import { toKernel } from '../../model/units.js';
 import { armFrames } from '../armFrames.js';
+import { bothLimits, PLACEHOLDERS } from '../placeholders.js';
 import { idsFor } from './ids.js';
-
-/** What the format asks for and the model does not have. Real values are the maker's. */
-export const PLACEHOLDERS = { mass: 1, inertia: 0.01, effort: 1000, velocity: 1 };
-
-/** An end that is not there while the other is: farther than any arm goes, in radians or metres. */
-export const FAR = 1e6;
 
 /** @param {number} value */
 const number = (value) => String(value + 0); // no −0
@@ -27,12 +22,11 @@ const originOf = (T) => `<origin xyz="${numbers(position(T))}" rpy="${numbers(ro
 /** @param {JointDoc} joint @param {Units} units */
 function limitOf(joint, units) {
   const value = (/** @type {number} */ typed) => toKernel(quantityOf(joint, 'lower'), typed, units);
-  const { lower, upper } = limitsOf(joint);
   const { effort = PLACEHOLDERS.effort, velocity } = joint;
   const rates = `effort="${number(effort)}" velocity="${number(velocity === undefined ? PLACEHOLDERS.velocity : value(velocity))}"`;
   if (urdfTypeOf(joint) === 'continuous') return `<limit ${rates}/>`;
-  const [low, high] = [Number.isFinite(lower) ? value(lower) : -FAR, Number.isFinite(upper) ? value(upper) : FAR];
-  return `<limit lower="${number(low)}" upper="${number(high)}" ${rates}/>`;
+  const { lower, upper } = bothLimits(joint, units);
+  return `<limit lower="${number(lower)}" upper="${number(upper)}" ${rates}/>`;
 }
 
 /** As URDF calls it: a turn without any limit is continuous. @param {JointDoc} joint */

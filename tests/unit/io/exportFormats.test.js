@@ -122,7 +122,7 @@ describe('a URDF', () => {
       "URDF has no place for the controller's sign, offset or coupling of 1 joint (joint_1).",
       'URDF has no place for the look of the link of 1 joint (joint_1).',
       'URDF has other names: "Arm no. 1" as "Arm_no__1".',
-      'URDF asks for both limits; 1000000 (rad or m) stands for what is missing of 1 joint (joint_1).',
+      'URDF asks for both limits; at least 1000000 (rad or m) stands for what is missing of 1 joint (joint_1).',
       'URDF asks for masses and inertias; 1 kg and 0.01 kg m² stand for those of 3 links.',
       'URDF asks for the largest velocity; 1 (rad/s or m/s) stands for that of 1 joint (joint_2).',
       'URDF asks for the largest effort; 1000 (N m or N) stands for that of 1 joint (joint_2).',

@@ -4,6 +4,7 @@
  * families, and named as such.
  *
  * @import { Chain } from './chain.js'
+ * @import { EveryPosture, Tolerances } from './everyPosture.js'
  * @import { Family } from './solvers/candidates.js'
  * @import { FanucConfiguration, KukaStatusTurn, PostureName } from './postureNames.js'
  * @import { Method } from './solvers/solvers.js'
@@ -39,7 +40,10 @@ import { requirePose } from './pose.js';
 import { searchEveryPosture } from './searchEvery.js';
 import { recognise } from './solvers/solvers.js';
 import { limitMarginOf, writeBestTurns } from './turns.js';
-import { wayFrom } from './way.js';
+import { wayBetween, wayFrom } from './way.js';
+
+/** What the search adds to a solver's list is farther than this from all of it: next to a double solution all is a solution. */
+const APART = 1e-3;
 
 /** @type {WeakMap<Chain, ReturnType<typeof prepareNames>>} */
 const knownNames = new WeakMap();
@@ -53,6 +57,24 @@ function namesFor(chain) {
     knownNames.set(chain, names);
   }
   return names;
+}
+
+/**
+ * By the arm's solver; or by a search where there is none, and where the solver itself is not sure that it has them all, as
+ * next to several singularities at once.
+ * @param {Chain} chain
+ * @param {ArrayLike<number>} goal
+ * @param {Tolerances & { randomSeed: number }} settings
+ * @returns {EveryPosture}
+ */
+function everyPosture(chain, goal, settings) {
+  const solved = solveEveryPosture(chain, goal, settings);
+  if (solved && (solved.isComplete || solved.families.length > 0)) return solved;
+  const searched = searchEveryPosture(chain, goal, settings);
+  if (!solved) return searched;
+  const isNew = (/** @type {Float64Array} */ q) =>
+    solved.postures.every((known) => wayBetween(chain, q, known) > APART);
+  return { ...solved, postures: [...solved.postures, ...searched.postures.filter(isNew)] };
 }
 
 /**
@@ -70,8 +92,7 @@ export function allInverseKinematics(chain, T_base_goal, options = {}) {
   if (seed) requirePosture(chain.dof, seed);
   const goal = requirePose(T_base_goal, 'the goal');
   const settings = { positionTolerance, orientationTolerance, randomSeed };
-  const { postures, families, isComplete, method } =
-    solveEveryPosture(chain, goal, settings) ?? searchEveryPosture(chain, goal, settings);
+  const { postures, families, isComplete, method } = everyPosture(chain, goal, settings);
 
   const names = namesFor(chain);
   const solutions = postures.map((q) => {

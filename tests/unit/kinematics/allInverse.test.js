@@ -133,6 +133,13 @@ describe('all solutions', () => {
       );
     },
   );
+  test('next to several singularities at once, where elimination loses a posture, a search finds it', () => {
+    const description = arm('kinova_mico');
+    const q = [0, 0, 0, 0.013549542610312338, 0, 0];
+    const all = solve(description, q);
+    expect(all.complete).toBe(false);
+    expect(has(description, all, q)).toBe(true);
+  });
   test('a generic pose of a Puma 560 has eight, each with another name', () => {
     const { solutions } = solve(arm('puma560'), [0.4, 0.9, -2.2, 0.5, 0.7, -1]);
     expect(solutions.length).toBe(8);

@@ -1,5 +1,5 @@
 /** Where rounding alone may have parted two solutions that are one. */
-const ROUNDING = 4e-15;
+const ROUNDING = 1.2e-14;
 
 /** By how much a factor may be negative and still mean zero: what is nearly within reach is left to the caller's check. */
 const NEARLY = 2e-9;

@@ -7,7 +7,7 @@ const MAY_IMPORT = {
   kinematics: { folders: [], packages: [] },
   karel: { folders: ['kinematics'], packages: [] },
   model: { folders: ['kinematics', 'karel'], packages: [] },
-  io: { folders: ['model', 'karel', 'kinematics'], packages: ['@rgrove/parse-xml'] },
+  io: { folders: ['model', 'karel', 'kinematics'], packages: ['@rgrove/parse-xml', 'fflate'] },
   workers: { folders: ['kinematics'], packages: [] },
   render: { folders: ['model', 'kinematics'], packages: ['three', '@types/three'] },
   ui: {

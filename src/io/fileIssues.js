@@ -58,6 +58,13 @@ export const FILE_ISSUES = Object.freeze({
   'not-kept': 'warning',
   placeholder: 'warning', // stands where the format asks for what the document does not have
   'not-writable': 'error',
+  // links
+  'link-cut': 'error',
+  'link-damaged': 'error',
+  'link-newer': 'error',
+  'link-too-large': 'error',
+  'link-unknown': 'error', // what follows the # is something else
+  'link-look': 'warning', // panels, frames or camera
 });
 
 /**

@@ -2,9 +2,12 @@
  * The composition root: makes the parts, hands each what it needs, and is the only file that knows both the scene
  * (`render`) and the panels (`ui`).
  *
- * @import { RobotDoc } from './model/document.js'
+ * @import { Doc, RobotDoc } from './model/document.js'
  * @import { AppState, Action } from './model/session.js'
  * @import { Store } from './model/store.js'
+ * @import { Page } from './ui/page.js'
+ *
+ * @typedef {{ doc: Doc | null, show: (page: Page) => void }} Link  what is in the address
  */
 import 'bootstrap/dist/css/bootstrap.min.css';
 import './ui/css/tokens.css';
@@ -33,6 +36,7 @@ import { dragWhenNear } from './render/dragWhenNear.js';
 import { createRobotView } from './render/robotView.js';
 import { createAimPanel } from './ui/aimPanel.js';
 import { createAnnouncer } from './ui/announce.js';
+import { startAutosave } from './ui/autosave.js';
 import { createBar } from './ui/bar.js';
 import { createBrowserClock, today } from './ui/browserClock.js';
 import { createDhTable } from './ui/dhTable.js';
@@ -71,27 +75,45 @@ const ready = new Promise((/** @type {(value: void) => void} */ resolve) => (say
 window.denavit = /** @type {Window['denavit']} */ ({ ready, clock: manualClock });
 
 // No top-level await: what is fetched here may import from this very file, and each would wait for the other.
-if (parameters.robot === FIRST_ROBOT) {
-  stand(
-    firstRobot,
-    refused.some(({ name, why }) => name === 'robot' && why === 'not-understood'),
+if (location.hash.length < 2) begin();
+else {
+  import('./ui/linked.js').then(
+    ({ linkHere }) => begin(linkHere()),
+    (error) => {
+      messages.fault(error);
+      begin();
+    },
   );
-} else {
-  loadRobot(parameters.robot).then(stand, (error) => {
-    messages.fault(error);
-    stand(firstRobot, true);
-  });
+}
+
+/** @param {Link | null} link */
+function begin(link = null) {
+  if (link?.doc) {
+    stand(link.doc.robot, false, link);
+  } else if (parameters.robot === FIRST_ROBOT) {
+    const isOther = refused.some(({ name, why }) => name === 'robot' && why === 'not-understood');
+    stand(firstRobot, isOther, link);
+  } else {
+    loadRobot(parameters.robot).then(
+      (robot) => stand(robot, false, link),
+      (error) => {
+        messages.fault(error);
+        stand(firstRobot, true, link);
+      },
+    );
+  }
 }
 
 /**
  * Puts up the page around its first robot.
  * @param {RobotDoc} robot
- * @param {boolean} [isOther]  than the one that was asked for
+ * @param {boolean} isOther  than the one that was asked for
+ * @param {Link | null} link  what it holds comes before what the query asks for
  */
-function stand(robot, isOther = false) {
+function stand(robot, isOther, link) {
   const { units, q, frames, projection } = parameters;
   const trace = parameters.trace === 'on' ? 0 : null;
-  const { doc, faults } = startDocument(robot, { units, q, isOther });
+  const { doc, faults } = link?.doc ? { doc: link.doc, faults: [] } : startDocument(robot, { units, q, isOther });
   if (faults.length > 0) {
     parameterWords().then(({ startFaultInWords }) => {
       for (const fault of faults) messages.warn(startFaultInWords(fault, robot.name));
@@ -102,7 +124,12 @@ function stand(robot, isOther = false) {
   store.dispatch({ type: 'show', change: { frames, projection, trace } });
   const derived = createDerived();
   const addView = createViews(store, clock, { onError: messages.fault });
-  const page = { store, addView, derived, clock, announce: createAnnouncer(), messages, opener: createOpener(store) };
+  const camera = {
+    where: () => stage?.camera() ?? null,
+    goTo: (/** @type {readonly number[]} */ there) => stage?.goTo(there),
+  };
+  const announce = createAnnouncer();
+  const page = { store, addView, derived, clock, announce, messages, opener: createOpener(store), camera };
 
   const files = createFiles(page);
   const openHelp = async () => {
@@ -178,6 +205,10 @@ function stand(robot, isOther = false) {
   }
 
   if (!parameters.panels && parameters.hint === 'on' && !manualClock) showFirstVisit(shell.view);
+  link?.show(page);
+  addEventListener('hashchange', async () => (await import('./ui/linked.js')).followLink(page));
+  const visit = Math.random().toString(36).slice(2);
+  if (parameters.autosave === 'on') startAutosave(page, { visit, today, ready });
   clock.onFrame(() => clock.onFrame(sayReady));
   Object.assign(window.denavit, createScripting(page, { ready, clock: manualClock }));
 }

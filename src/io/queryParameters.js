@@ -93,6 +93,11 @@ export const SCHEMA = {
     'Colours; auto follows the system, none the last choice.',
   ),
   hint: oneOf(/** @type {const} */ (['on', 'off']), 'on', 'off: no hint at the first visit.'),
+  autosave: oneOf(
+    /** @type {const} */ (['on', 'off']),
+    'on',
+    'off: the work is not kept in the browser for the next visit, nor is earlier work offered.',
+  ),
   quality: oneOf(
     /** @type {const} */ (['high', 'low']),
     'high',

@@ -8,7 +8,7 @@
  *
  * @import { Doc } from '../model/document.js'
  * @import { Issue } from '../model/issues.js'
- * @import { Look } from './look.js'
+ * @import { Look } from './readLook.js'
  *
  * @typedef {object} LinkAnswer
  * @property {boolean} hasModel      it speaks of a model, be it a broken one
@@ -18,7 +18,7 @@
  */
 import { fileIssue } from './fileIssues.js';
 import { fingerprint } from './fingerprint.js';
-import { readLook } from './look.js';
+import { readLook } from './readLook.js';
 import { pack, unpack } from './pack.js';
 import { readRobotXml } from './robotXml.js';
 import { writeRobotXml } from './robotXmlWriter.js';

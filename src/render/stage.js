@@ -5,6 +5,7 @@
  *     stage.showArm(chain, styles);   // builds; the same chain and styles again cost nothing
  *     stage.showPosture(q);           // only moves
  *     stage.look('top');              // or 'home', 'front' …; without a name: the whole arm, as it is seen now
+ *     stage.goTo(stage.camera());     // numbers that can be kept; null before the first picture
  *
  * It draws at most once a frame, through the clock, and only after something changed: `draws` counts, and the canvas has the
  * number as `data-draws`. It knows no words: `text` is asked for each label when it is written, and `rewrite` asks again.
@@ -37,6 +38,7 @@
  * @typedef {NonNullable<ReturnType<typeof createStage>>} Stage
  */
 import { createFrameLoop } from '../model/clock.js';
+import { cameraNumbers, fromCameraNumbers } from './cameraNumbers.js';
 import { eyeOf } from './eye.js';
 import { createLabels } from './labels.js';
 import { createScene } from './scene.js';
@@ -61,6 +63,8 @@ export function createStage({ host, clock, quality, text, isCalm = () => false, 
   let left = null;
   /** The joint that it went near to. @type {number | null} */
   let near = null;
+  /** Where the picture is to be taken from next. @type {readonly number[] | null} */
+  let wanted = null;
 
   const labels = createLabels(host);
   const invalidate = createFrameLoop(clock, draw);
@@ -78,6 +82,10 @@ export function createStage({ host, clock, quality, text, isCalm = () => false, 
     if (isBroken || !surface) return;
     try {
       if (!isFitted) fit();
+      if (wanted && isFitted) {
+        view.standAt(fromCameraNumbers(wanted, surface.width / surface.height));
+        left = wanted = null;
+      }
       const eye = eyeOf(view.camera, surface.width, surface.height);
       scene.face(eye);
       if (!surface.draw(scene.scene, view.camera, castsAnew)) return;
@@ -173,6 +181,12 @@ export function createStage({ host, clock, quality, text, isCalm = () => false, 
     fit,
     look,
     closeIn,
+    camera: () => (surface.draws > 0 ? cameraNumbers(view.viewpoint(), surface.width / surface.height) : null),
+    /** @param {readonly number[]} numbers  as `camera` gives them */
+    goTo(numbers) {
+      wanted = numbers;
+      invalidate();
+    },
     /** How large the picture is, in pixels of the page. */
     get width() {
       return surface.width;

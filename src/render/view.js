@@ -171,6 +171,13 @@ export function createView(element, { clock, isCalm, onChange, onLook }) {
     },
     viewpoint,
 
+    /** From there at once, as if by hand. One that sees nothing of the arm is no place. @param {Viewpoint} there */
+    standAt(there) {
+      if (there.target.length() > controls.maxDistance) return;
+      onTouch();
+      stand(there);
+    },
+
     /** @param {boolean} seesParallel */
     project(seesParallel) {
       if (isParallel === seesParallel) return;

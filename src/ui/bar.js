@@ -29,6 +29,8 @@ export function createBar(page, host, { files, theme, openHelp }) {
   const units = createUnitsMenu(page, 'wide-only');
   const undo = iconButton('undo', TEXT.bar.undo);
   const redo = iconButton('redo', TEXT.bar.redo);
+  const share = h('button', { type: 'button', class: 'btn wide-only', 'aria-haspopup': 'dialog' }, TEXT.bar.share);
+  const openShare = async () => (await import('./share.js')).openShare(page, files); // messages.js says it when that fails
   const colours = iconButton('circleHalf', TEXT.bar.theme);
   const help = iconButton('question', TEXT.bar.help);
 
@@ -43,17 +45,19 @@ export function createBar(page, host, { files, theme, openHelp }) {
     ),
     h('span', { class: 'rule wide-only' }),
     robotButton(page, [robotName, robotTypes]),
-    menu([TEXT.bar.file], fileItems(files)),
+    menu([TEXT.bar.file], fileItems(files, openShare)),
     h('span', { class: 'rule' }),
     undo,
     redo,
     h('span', { class: 'grow' }),
     units,
+    share,
     h('span', { class: 'rule wide-only' }),
     colours,
     help,
   );
 
+  $(share).on('click', openShare);
   $(help).on('click', openHelp);
   $(undo).on('click', () => step(page, 'undo'));
   $(redo).on('click', () => step(page, 'redo'));
@@ -126,8 +130,9 @@ function robotButton(page, content) {
   return button;
 }
 
-/** @param {Files} files */
-const fileItems = (files) => [
+/** @param {Files} files @param {() => void} openShare */
+const fileItems = (files, openShare) => [
   item(TEXT.bar.open, TEXT.bar.openDetail, () => files.choose()),
   item(TEXT.bar.save, TEXT.bar.saveDetail, () => files.save()),
+  item(TEXT.bar.shareItem, TEXT.bar.shareDetail, openShare),
 ];

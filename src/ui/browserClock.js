@@ -16,3 +16,6 @@ export const createBrowserClock = () => ({
 
 /** Now, for people: ISO 8601. */
 export const today = () => new Date().toISOString();
+
+/** @param {string} text  ISO 8601 */
+export const dateOf = (text) => new Date(text);

@@ -21,3 +21,21 @@ export function remember(key, value) {
     return false; // forbidden or full
   }
 }
+
+/** @param {string} key */
+export function forget(key) {
+  try {
+    localStorage.removeItem(key);
+  } catch {
+    // forbidden: then it is not there
+  }
+}
+
+/** @param {string} start @returns {string[]} all keys that begin so */
+export function keysFrom(start) {
+  try {
+    return Object.keys(localStorage).filter((key) => key.startsWith(start));
+  } catch {
+    return []; // forbidden here
+  }
+}

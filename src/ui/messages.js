@@ -26,6 +26,8 @@ export function createMessages(host) {
   }
   window.addEventListener('unhandledrejection', ({ reason }) => fault(reason));
   return {
+    /** Where they stand. */
+    room: host,
     warn: banner,
     fault,
     /** For a fault that is said elsewhere. @param {unknown} error */

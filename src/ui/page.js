@@ -21,6 +21,7 @@
  * @property {Announce} announce
  * @property {Messages} messages
  * @property {Opener} opener
+ * @property {{ where: () => readonly number[] | null, goTo: (there: readonly number[]) => void }} camera  null: no picture
  */
 import { refusal } from '../model/refusals.js';
 import { stepName } from './stepName.js';

@@ -19,7 +19,8 @@ const OVERTAKEN = 'Another document was opened in the meantime.';
  * @param {Promise<void>} given.ready  the page stands and its first frame is drawn
  * @param {ManualClock | null} given.clock  what moves the page's time, where nothing else does
  */
-export function createScripting({ store, derived, opener }, { ready, clock }) {
+export function createScripting(page, { ready, clock }) {
+  const { store, derived, opener } = page;
   return {
     ready,
     clock,
@@ -79,6 +80,18 @@ export function createScripting({ store, derived, opener }, { ready, clock }) {
     async losses(format) {
       const { doc } = store.state;
       return (await formatCalled(format)).losses(doc).map(({ message }) => message);
+    },
+
+    /**
+     * The address that opens the document as it is.
+     * @param {{ view?: boolean, panels?: boolean }} [what]  goes with it: camera, frames and projection; what is open
+     * @throws {RangeError} when the document is too large for a link
+     */
+    async link({ view = false, panels = false } = {}) {
+      const { shareAddress } = await import('./shareAddress.js');
+      const link = shareAddress(page, { view, panels });
+      if (link === null) throw new RangeError('The document is too large for a link.');
+      return link;
     },
 
     /** Joint values in document units. */

@@ -6,7 +6,8 @@ import { expect } from '@playwright/test';
 import { PNG } from 'pngjs';
 
 /**
- * Opens the production build. Anything said on the console as an error, and any uncaught one, fails the test.
+ * Opens the production build. Anything said on the console as an error, and any uncaught one, fails the test. Nothing is kept
+ * for a next visit (links.spec.js has that), so a second opening begins as the first.
  * @param {Page} page
  * @param {string} [query]  without the question mark
  */
@@ -15,7 +16,7 @@ export async function open(page, query = '') {
   page.on('console', (message) => {
     if (message.type() === 'error') expect.soft(message.text(), 'an error on the console').toBe('');
   });
-  await page.goto(`./?quality=low&theme=light&hint=off&${query}`);
+  await page.goto(`./?quality=low&theme=light&hint=off&autosave=off&${query}`);
   await page.evaluate(() => window.denavit.ready);
 }
 

@@ -6,7 +6,7 @@ import { SEED, runs } from '../../helpers/property.js';
 const DEFAULTS = {
   ...{ robot: 'puma560', q: null, units: null, panels: null, theme: null },
   ...{ view: 'iso', projection: 'perspective', frames: 'ends', trace: 'off' },
-  ...{ hint: 'on', quality: 'high', clock: 'browser' },
+  ...{ hint: 'on', autosave: 'on', quality: 'high', clock: 'browser' },
 };
 
 /** @param {string} search */

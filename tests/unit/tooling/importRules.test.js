@@ -164,7 +164,7 @@ const ALLOWED = [
   [
     'io parses XML into documents',
     'src/io/d3.js',
-    "import { parseXml } from '@rgrove/parse-xml'; import { doc } from '../model/document.js'; export const a = [parseXml, doc];",
+    "import { parseXml } from '@rgrove/parse-xml'; import { deflateSync } from 'fflate'; import { doc } from '../model/document.js'; export const a = [parseXml, deflateSync, doc];",
   ],
   [
     'render draws with three',

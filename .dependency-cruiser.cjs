@@ -20,6 +20,7 @@ const MAY_IMPORT = {
       '@popperjs/core',
       'bootstrap-icons',
       'mathjs',
+      'uplot',
     ],
   },
 };

@@ -17,6 +17,7 @@ import { icon } from './icons.js';
 import { createJogModes } from './jogModes.js';
 import { createJogRow, limitsInWords } from './jogRow.js';
 import { jointNumbers } from './jointNumbers.js';
+import { createMotionFold } from './motionFold.js';
 import { createPendantSwitch } from './pendantSwitch.js';
 import { createReasons } from './reasons.js';
 import { TEXT } from './strings.js';
@@ -58,6 +59,7 @@ export function createJogPanel(page, host, pose) {
     h('div', { class: 'jog-switches' }, keepRow, modes.dialsRow, modes.buttonsRow, pendant.row),
     pendant.note,
     h('div', { id: 'jog-reason' }, reasons.element, remarkLine),
+    createMotionFold(page),
   );
 
   const numbers = () => store.state.session.numbers;

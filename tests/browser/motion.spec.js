@@ -1,4 +1,4 @@
-/** What shows how the arm moves: the trace of its tool, and the dials of its joints. */
+/** What shows how the arm moves: the trace of its tool, the dials of its joints, and their curves. */
 import { expect, test } from '@playwright/test';
 import { expectAccessible } from './accessible.js';
 import { draws, open, settled, tool } from './page.js';
@@ -73,4 +73,40 @@ test('a joint is turned by its dial, by hand and by keys, and says what is left 
   await page.keyboard.press('PageUp');
   await expect(row.locator('.margin')).toHaveText('10.0° beyond');
   await expectAccessible(page, { within: '.jog-panel' });
+});
+
+test('curves run while the arm moves and only then, with a table that says the same, and are copied as they are drawn', async ({
+  page,
+}) => {
+  await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+  await open(page, 'q=0,40,-150,0,30,0&panels=jog,pose');
+  await page.locator('#fold-motion').click();
+  const body = page.locator('#fold-motion-body');
+  await expect(body).toContainText('Nothing has moved');
+  await expect(body.getByRole('button', { name: 'Copy as CSV', exact: true })).toBeDisabled();
+  const slider = page.getByRole('slider', { name: 'Joint 1', exact: true });
+  await slider.focus();
+  for (let i = 0; i < 4; i++) await page.keyboard.press('Shift+ArrowRight');
+  const row = (/** @type {string} */ name) => body.getByRole('row', { name: new RegExp(`^${name} `) });
+  await expect(row('J1')).toContainText('40.0°0.0°40.0°');
+  await expect(row('J2')).toContainText('40.0°40.0°40.0°');
+  // at rest the speed is zero, and it has been more
+  await expect(row('Speed').getByRole('cell').first()).toHaveText('0.0 mm/s');
+  await expect(row('Speed').getByRole('cell').last()).not.toHaveText(/^(0\.0|–)/);
+
+  await body.getByRole('button', { name: 'Pause', exact: true }).click();
+  await slider.focus();
+  await page.keyboard.press('Shift+ArrowRight');
+  await settled(page);
+  await expect(row('J1')).toContainText('40.0°0.0°40.0°');
+  await body.getByRole('button', { name: 'J1', exact: true }).click();
+  await expect(body.getByRole('button', { name: 'J1', exact: true })).toHaveAttribute('aria-pressed', 'false');
+  await body.getByRole('button', { name: 'Copy as CSV', exact: true }).click();
+  await expect(page.getByRole('status').filter({ hasText: 'comma-separated' })).toHaveCount(1);
+  const lines = (await page.evaluate(() => navigator.clipboard.readText())).trim().split(/\r?\n/);
+  expect(lines[0]).toBe('time [s],J1 [deg],J2 [deg],J3 [deg],J4 [deg],J5 [deg],J6 [deg],Tool speed [mm/s]');
+  expect(lines[1].split(',').map(Number)).toEqual([0, 0, 40, -150, 0, 30, 0, 0]);
+  const last = lines[lines.length - 1].split(',').map(Number);
+  expect(last.slice(1)).toEqual([40, 40, -150, 0, 30, 0, 0]);
+  await expectAccessible(page, { within: '#fold-motion-body' });
 });

@@ -15,6 +15,8 @@ export const JOG = {
   toLimit: (/** @type {string} */ by) => `${by} to limit`,
   beyond: (/** @type {string} */ by) => `${by} beyond`,
   noLimit: 'no limit',
+  plot: 'Plot',
+  plotSummary: 'joint values and tool speed',
   pendant: 'Pendant numbers',
   keep: 'Stop at limits',
   keepsNow: 'Joints stop at their limits.',

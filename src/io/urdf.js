@@ -22,7 +22,7 @@ import { validateDocument } from '../model/validate.js';
 import { atLine, fileIssue, hasErrors } from './fileIssues.js';
 import { kinematicIssues } from './kinematicIssues.js';
 import { armFrom } from './urdf/urdfArm.js';
-import { likelyTip, moves, pathIssues, pathTo, tipsFrom, urdfTree } from './urdf/urdfChain.js';
+import { endBeyond, likelyTip, moves, pathIssues, pathTo, tipsFrom, urdfTree } from './urdf/urdfChain.js';
 import { urdfRobotFrom } from './urdf/urdfRobot.js';
 import { writeUrdf } from './urdf/urdfWriter.js';
 import { readXmlTree } from './xmlTree.js';
@@ -74,6 +74,11 @@ export function urdfFrom(root, { baseLink, tipLink, snap }) {
   if (tip === null) {
     const moving = robot.joints.filter(moves).length;
     const message = `No chain from "${shownText(base)}" has 2 to 6 joints that move (the file has ${moving}); expected an arm.`;
+    return refused([...read, fileIssue('joint-count', message)], choices);
+  }
+  const end = tipLink === undefined ? endBeyond(tree, robot, base, tip) : null;
+  if (end) {
+    const message = `From "${shownText(base)}" to "${shownText(end.link)}" ${end.moving} joints move; expected 2 to 6, or a tip to be named that comes before.`;
     return refused([...read, fileIssue('joint-count', message)], choices);
   }
   const path = pathTo(tree, base, tip);

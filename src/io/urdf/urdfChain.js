@@ -123,6 +123,24 @@ export function likelyTip(tree, robot, base) {
 }
 
 /**
+ * The end of an arm that goes on beyond its likeliest tip because it has too many joints: a part of it is no arm of its own.
+ * @param {UrdfTree} tree
+ * @param {UrdfRobot} robot
+ * @param {string} base
+ * @param {string} tip
+ * @returns {TipChoice | null}
+ */
+export function endBeyond(tree, { links }, base, tip) {
+  if (TIP_NAMES.some((pattern) => pattern.test(tip))) return null;
+  const ends = [...links.keys()].flatMap((link) => {
+    const more = pathTo(tree, tip, link)?.filter(moves) ?? [];
+    const all = pathTo(tree, base, link)?.filter(moves) ?? [];
+    return more.length > 0 && more.every(isArmJoint) ? [{ link, moving: all.length }] : [];
+  });
+  return ends.sort((a, b) => b.moving - a.moving)[0] ?? null;
+}
+
+/**
  * What is in the way of taking these joints for an arm.
  * @param {readonly UrdfJoint[]} path
  * @returns {Issue[]}

@@ -244,6 +244,24 @@ test('base and tip are chosen; what is nested in a transmission is no joint', ()
   );
 });
 
+test('an arm with seven joints is refused, unless a tip on the way is chosen', () => {
+  const more = [4, 5, 6, 7].map(
+    (i) =>
+      `<joint name="j${i}" type="continuous"><parent link="${LINKS[i - 1]}"/><child link="${LINKS[i]}"/><origin xyz="0.1 0 0.2" rpy="1 0 0"/><axis xyz="0 0 1"/></joint>`,
+  );
+  const text = arm({ links: LINKS, more: more.join('') });
+  const { doc, issues, choices } = readUrdf(text);
+  expect(doc).toBe(null);
+  expect(issues.map(({ message }) => message)).toEqual([
+    'From "a" to "tip" 7 joints move; expected 2 to 6, or a tip to be named that comes before.',
+  ]);
+  expect(choices?.tips.map(({ link }) => link)).toEqual(['c', 'd', 'e', 'f', 'g']);
+  expect(opened(text, { tipLink: 'g' }).robot.joints).toHaveLength(6);
+  const withFinger = text.replaceAll('"j7"', '"finger"');
+  expect(opened(withFinger).robot.joints).toHaveLength(6);
+  expect(opened(text.replaceAll('"g"', '"tool0"')).robot.joints).toHaveLength(6);
+});
+
 test('joint values keep zero and sign, limits and rates their units', () => {
   const { robot } = opened(arm());
   expect(robot.joints.map(({ type, lower, upper, velocity }) => [type, lower, upper, velocity])).toEqual([

@@ -60,6 +60,15 @@ export function createRobotView({ store, addView, derived, clock }, options) {
       shown = { edition, name: robot.name, reach: chain.reach };
     },
   );
+  let settled = store.state.doc.robot;
+  addView(
+    together(({ doc, gesture }) => [doc.robot, gesture === null]),
+    ([robot, isOver]) => {
+      if (!isOver || robot === settled) return; // not while somebody types or drags
+      settled = robot;
+      stage.keepInPicture();
+    },
+  );
   addView(({ doc, session }) => litJoint(doc.robot.convention, session), stage.highlightJoint);
   addView(
     together(({ session }) => [gaugedJoint(session), session.answer]),

@@ -123,6 +123,13 @@ export function createStage({ host, clock, quality, text, isCalm = () => false, 
     view.fit(extent.corners, extent.size, { free: freePart(), from, flies });
   }
 
+  /** An arm that has grown out of the picture, where nobody has chosen what is seen of it, is brought back. */
+  function keepInPicture() {
+    const extent = scene.extent();
+    if (!isFitted || left || !extent || !surface?.width || !view.isUntouched || view.hasAll(extent.corners)) return;
+    fit({ flies: true });
+  }
+
   /** @param {ViewName | null} [name] */
   function look(name = null) {
     fit({ from: name, flies: true });
@@ -179,6 +186,7 @@ export function createStage({ host, clock, quality, text, isCalm = () => false, 
     project: (projection) => view.project(projection === 'parallel'),
     setTheme: () => scene.setSkin(currentSkin()),
     fit,
+    keepInPicture,
     look,
     closeIn,
     camera: () => (surface.draws > 0 ? cameraNumbers(view.viewpoint(), surface.width / surface.height) : null),

@@ -235,6 +235,21 @@ export function createView(element, { clock, isCalm, onChange, onLook }) {
       onChange();
     },
 
+    /** Whether all points are in the picture as it is, or will be after a flight. @param {readonly Vector[]} points */
+    hasAll(points) {
+      const { target, distance, azimuth, elevation } = bound ?? viewpoint();
+      const { right, up, back } = axesOf({ azimuth, elevation });
+      const middle = new Vector3().copy(target);
+      const part = free ?? { width, height };
+      return points.every((point) => {
+        const from = new Vector3().copy(point).sub(middle);
+        const depth = isParallel ? distance : distance - from.dot(back);
+        const [x, y] = [Math.abs(from.dot(right)), Math.abs(from.dot(up))];
+        const half = (HALF_HEIGHT * depth) / height;
+        return depth > 0 && x <= half * part.width && y <= half * part.height;
+      });
+    },
+
     /** What was free of the view when it was last fitted. */
     get free() {
       return free;

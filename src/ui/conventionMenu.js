@@ -98,7 +98,7 @@ export function createConventionMenu(page, say) {
               detail: previews ? TEXT.structure.rereadPlain : TEXT.structure.rereadDetail(moved),
               preview: previews?.previewReading(doc, convention) ?? null,
               run() {
-                if (attempt(page, reread) === null) say(TEXT.structure.rereadAs(name, moved));
+                if (attempt(page, reread) === null) say(TEXT.structure.rereadAs(name, convention, moved));
               },
             },
           ],

@@ -157,14 +157,17 @@ export function createJogRow(page, robot, index, onReason, numbers) {
     row.classList.toggle('is-near', isNear);
     row.classList.toggle('on', isHeld);
     row.classList.toggle('is-outside', !isInside(joint(), value));
-    row.classList.toggle('at-stop', isHeld && keeps && (value === lower || value === upper));
+    row.classList.toggle('at-lower', isHeld && keeps && value === lower);
+    row.classList.toggle('at-upper', isHeld && keeps && value === upper);
     cell.refresh();
   }
 
   /** @param {number} value */
   function inWords(value) {
     const text = withUnit(jointNumber(value, unit), unit);
-    return isInside(joint(), value) ? text : TEXT.jog.outsideShort(text);
+    if (!isInside(joint(), value)) return TEXT.jog.outsideShort(text);
+    const { lower, upper } = limits();
+    return value === lower || value === upper ? TEXT.jog.atLimitShort(text) : text;
   }
 
   return {

@@ -29,7 +29,8 @@ export function createSceneText({ store }) {
       const unit = unitOf(joint, robot().units);
       const value = store.state.doc.posture[index];
       const text = `J${index + 1} ${withUnit(jointNumber(value, unit), unit)}`;
-      return isInside(joint, value) ? text : TEXT.jog.outsideShort(text);
+      if (!isInside(joint, value)) return TEXT.jog.outsideShort(text);
+      return value === joint.lower || value === joint.upper ? TEXT.jog.atLimitShort(text) : text;
     },
 
     /** @param {number} index @param {'lower' | 'upper'} which */

@@ -111,8 +111,13 @@ const tabPanel = (tab) =>
  * @param {Page} page
  * @param {Shell} shell
  */
-export function runPanels(page, { app, tablist, tabs, view, dock, shownTabs, shownPanels, first }) {
-  app.before(createSkipLinks(page, { view, robot: shownTabs.includes('robot') ? tabs.robot : null }));
+export function runPanels(page, { app, tablist, tabs, view, jog, aim, dock, shownTabs, shownPanels, first }) {
+  app.before(
+    createSkipLinks(page, {
+      ...{ view, robot: shownTabs.includes('robot') ? tabs.robot : null },
+      ...{ jog: jog.hidden ? null : jog, aim: aim.hidden ? null : aim },
+    }),
+  );
   if (shownTabs.length > 0) view.after(createLeftEdge(page, app));
   if (first) openPanel(page, first);
   else if (shownTabs.length > 0) page.store.dispatch({ type: 'show', change: { tab: shownTabs[0] } });

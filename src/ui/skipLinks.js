@@ -1,5 +1,5 @@
 /**
- * Two links before everything else, seen only while the keyboard is on them: to the picture, and to the table.
+ * Links before everything else, seen only while the keyboard is on them: to the picture, the table, the joints, the target.
  * @import { Page } from './page.js'
  */
 import { h } from './dom.js';
@@ -8,9 +8,10 @@ import { TEXT } from './strings.js';
 
 /**
  * @param {Page} page
- * @param {{ view: HTMLElement, robot: HTMLElement | null }} rooms  `robot`: null where the table is not on the page
+ * @param {{ view: HTMLElement, robot: HTMLElement | null, jog: HTMLElement | null, aim: HTMLElement | null }} rooms  null: not
+ *   on the page
  */
-export function createSkipLinks(page, { view, robot }) {
+export function createSkipLinks(page, { view, ...rooms }) {
   /** @param {HTMLElement} room @param {string} selector */
   const goTo = (room, selector) => {
     const goal = room.querySelector(selector);
@@ -26,11 +27,20 @@ export function createSkipLinks(page, { view, robot }) {
     return link;
   };
   const toView = skip(TEXT.panels.skip.view, () => goTo(view, 'canvas, button'));
-  const toTable =
-    robot &&
-    skip(TEXT.panels.skip.robot, () => {
-      openPanel(page, 'robot');
-      page.clock.onFrame(() => goTo(robot, '.grid input')); // when the panel stands
-    });
-  return h('nav', { class: 'skips', 'aria-label': TEXT.panels.skip.label }, toView, toTable);
+  /** @param {'robot' | 'jog' | 'aim'} panel @param {string} selector */
+  const toPanel = (panel, selector) => {
+    const room = rooms[panel];
+    return (
+      room &&
+      skip(TEXT.panels.skip[panel], () => {
+        openPanel(page, panel);
+        page.clock.onFrame(() => goTo(room, selector)); // when the panel stands
+      })
+    );
+  };
+  return h(
+    'nav',
+    { class: 'skips', 'aria-label': TEXT.panels.skip.label },
+    ...[toView, toPanel('robot', '.grid input'), toPanel('jog', 'input'), toPanel('aim', '.aim-fields input')],
+  );
 }

@@ -1,8 +1,10 @@
 /**
  * The keys of a spreadsheet in the DH table, and the pointer over it. Where a person is typing, or has put the cursor into
  * the text, arrows move the cursor until it stands at an end; otherwise the whole text is chosen, typing replaces it, and
- * arrows go from cell to cell. Tab is the browser's own: it goes right, on to the next row, and out of the table, so it
- * stays a table of named fields, which a screen reader can read as one, rather than a grid with keys of its own.
+ * arrows go from cell to cell. Tab is the browser's own: it goes right and out of the table, so it stays a table of named
+ * fields, which a screen reader can read as one, rather than a grid with keys of its own. Only from the end of a row it goes
+ * to the first cell of the next, past the joint's button, so that a table can be typed in from a book; Shift+Tab and the left
+ * arrow go to that button.
  *
  * @import { Page } from './page.js'
  * @import { JointField } from '../model/document.js'
@@ -37,6 +39,20 @@ export function watchTableKeys(table, rows, answer) {
     return isLast ? goFrom(row, rows()[row].length, 0, -1) : goFrom(row, -1, 0, 1);
   }
 
+  /** To the joint's own button, from the first cell of its row. @param {HTMLInputElement} input @returns {boolean} */
+  function goToJoint(input) {
+    const row = rows().find((list) => list.includes(input));
+    const button = row?.find((cell) => !cell.disabled) === input ? input.closest('tr')?.querySelector('button') : null;
+    button?.focus();
+    return Boolean(button);
+  }
+
+  /** From the last cell of a row to the first of the next. @param {HTMLInputElement} input @returns {boolean} */
+  function goToNextRow(input) {
+    const row = rows().findIndex((list) => list.includes(input));
+    return rows()[row].findLast((cell) => !cell.disabled) === input && goFrom(row + 1, -1, 0, 1);
+  }
+
   /** @param {HTMLInputElement} input @param {boolean} isUp */
   function enter(input, isUp) {
     if (input.getAttribute('aria-invalid') === 'true') return answer();
@@ -56,7 +72,11 @@ export function watchTableKeys(table, rows, answer) {
     const moved =
       (key === 'ArrowUp' && isPlain && go(input, -1, 0)) ||
       (key === 'ArrowDown' && isPlain && go(input, 1, 0)) ||
-      (key === 'ArrowLeft' && isPlain && (isAll || (start === 0 && end === 0)) && go(input, 0, -1)) ||
+      (key === 'ArrowLeft' &&
+        isPlain &&
+        (isAll || (start === 0 && end === 0)) &&
+        (go(input, 0, -1) || goToJoint(input))) ||
+      (key === 'Tab' && isPlain && goToNextRow(input)) ||
       (key === 'ArrowRight' && isPlain && (isAll || start === value.length) && go(input, 0, 1)) ||
       (key === 'Enter' && !altKey && enter(input, shiftKey)) ||
       ((key === 'Home' || key === 'End') &&

@@ -114,7 +114,7 @@ test('a joint is moved by keys alone, and a value beyond its stop is refused in 
   const field = page.getByLabel('Joint 2, degrees');
   await field.fill('226');
   await page.keyboard.press('Enter');
-  await expect(page.locator('#jog-reason')).toHaveText('J2 stops: −45° to 225°.');
+  await expect(page.locator('#jog-reason')).toHaveText('J2 stops at its limits: −45° to 225°.');
   expect((await page.evaluate(() => window.denavit.joints()))[1]).toBe(45);
   await page.keyboard.press('Escape');
   await expect(field).toHaveValue('45');
@@ -184,7 +184,7 @@ test('a text that is no number on the way to one is left to the person who types
   await typeSlowly(page, '230.5');
   await expect(field).toHaveValue('230.5');
   await page.keyboard.press('Enter');
-  await expect(page.locator('#jog-reason')).toContainText('J2 stops: −45° to 225°.');
+  await expect(page.locator('#jog-reason')).toContainText('J2 stops at its limits: −45° to 225°.');
   expect((await page.evaluate(() => window.denavit.joints()))[1]).toBe(45);
 });
 

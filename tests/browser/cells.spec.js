@@ -95,6 +95,10 @@ test('a text that is none stays with its reason and its ways out, and the arm ke
   await expect(cell).toHaveAttribute('aria-invalid', 'true');
   await expect(line).toContainText('This is an angle; a length is needed');
   expect(await tool(page)).toEqual(place);
+  await page.getByLabel('Joint 2, link twist α, degrees').focus(); // the reason is told there, too
+  await expect(line).toContainText('a2: “90 deg” is not a number');
+  await line.getByRole('button', { name: 'To that cell' }).click();
+  await expect(cell).toBeFocused();
   await line.getByRole('button', { name: 'Take back' }).click();
   await expect(cell).toBeFocused();
   await expect(cell).toHaveValue('431.8');
@@ -108,8 +112,13 @@ test('the grid is walked, edited and left with keys alone; the pointer over a ce
   await page.getByLabel('Joint 1, link length a, millimetres').focus();
   await keyboard.press('Home');
   await at('Joint 1, joint angle θ, degrees');
+  await keyboard.press('ArrowLeft');
+  await expect(page.getByRole('button', { name: 'Joint 1, revolute: change or add' })).toBeFocused();
+  await keyboard.press('Tab');
   await keyboard.press('End');
   await at('Joint 1, upper limit, degrees');
+  await keyboard.press('Tab');
+  await at('Joint 2, joint angle θ, degrees');
   await keyboard.press('Control+End');
   await at('Joint 2, upper limit, degrees');
   await keyboard.press('Control+Home');

@@ -42,9 +42,18 @@ test('every fold and dialog is accessible when it is open', async ({ page }) => 
     return folds.length;
   });
   expect(opened).toBeGreaterThan(4);
+  await page.getByRole('button', { name: 'Paste…' }).click();
+  await page.getByRole('textbox', { name: 'A pose as text' }).fill('X 450 Y 100 Z 900 A 90 B 0 C 180');
+  await expect(page.getByRole('group', { name: 'The target that comes of it' })).toContainText('450.00');
   await settled(page);
   await expect(page.locator('[aria-busy]')).toHaveCount(0);
   await expectAccessible(page);
+  for (const form of ['Quaternion xyzw', '4 × 4 matrix']) {
+    await page.locator('.aim-panel [data-ask=form]').click();
+    await page.locator('.dropdown-menu.show').getByText(form, { exact: true }).click();
+    await settled(page);
+    await expectAccessible(page, { within: '.aim-panel' });
+  }
   for (const name of ['Choose a robot', 'Help: keys, conventions, about', 'Paste table']) {
     await page.locator(`button[title="${name}"], button:text-is("${name}")`).first().click();
     await expect(page.getByRole('dialog')).toBeVisible();

@@ -1,6 +1,6 @@
 /** The page's manners that a look at every screen asked for: order of the keyboard, the left edge, the view in the address. */
 import { expect, test } from '@playwright/test';
-import { draws, open } from './page.js';
+import { draws, open, settled } from './page.js';
 
 test('the keyboard comes to the picture and the table at once, and each button shows that it has the focus', async ({
   page,
@@ -12,6 +12,9 @@ test('the keyboard comes to the picture and the table at once, and each button s
   await page.getByRole('link', { name: 'To the table' }).focus();
   await page.keyboard.press('Enter');
   await expect(page.getByLabel('Joint 1, joint angle θ, degrees')).toBeFocused();
+  await page.getByRole('link', { name: 'To the target' }).focus();
+  await page.keyboard.press('Enter');
+  await expect(page.getByLabel('Target X, millimetres')).toBeFocused();
   const unseen = await page.evaluate(() =>
     [...document.querySelectorAll('.btn:not(:disabled)')]
       .filter((button) => button instanceof HTMLElement && button.checkVisibility())
@@ -119,3 +122,29 @@ for (const [width, height] of [
     expect((view?.width ?? 0) * (view?.height ?? 0)).toBeGreaterThan(0.38 * width * height);
   });
 }
+
+test('an arm that another reading of its table takes out of the picture is brought back into it, unless it was turned by hand', async ({
+  page,
+}) => {
+  await open(page);
+  const outside = () =>
+    page.evaluate(() => {
+      const view = document.querySelector('canvas')?.getBoundingClientRect();
+      const tags = [...document.querySelectorAll('.tag.axis')].map((tag) => tag.getBoundingClientRect());
+      return view && tags.filter(({ top, bottom }) => bottom > view.bottom || top < view.top).length;
+    });
+  const read = async (/** @type {string} */ convention) => {
+    await page.getByRole('button', { name: /^Convention: / }).click();
+    await page.getByText(`Read the numbers as ${convention}`).click();
+    await expect(page.locator('p.note')).toContainText(`read as ${convention}`);
+  };
+  await read('modified');
+  await settled(page);
+  await expect.poll(outside).toBe(0);
+  await read('standard');
+  await page.locator('canvas').focus();
+  await page.keyboard.press('ArrowLeft');
+  await read('modified');
+  await settled(page);
+  expect(await outside()).toBeGreaterThan(0);
+});

@@ -18,7 +18,7 @@ export const STRAIGHT_LINES = {
   ),
   cyl_rpp: robot(
     'Cylindrical arm RPP',
-    'Spong, Hutchinson and Vidyasagar, Robot Modeling and Control (2006), ex. 3.2; lengths and limits chosen here',
+    'Spong, Hutchinson and Vidyasagar, Robot Modeling and Control (2006), ch. 3; lengths and limits chosen here',
     [turn(0, 500, 0, 0, -170, 170, 0), slide(0, 0, 0, -90, 0, 800, 350), slide(0, 0, 0, 0, 300, 1100, 700)],
   ),
   cart_ppp: robot(

@@ -18,7 +18,7 @@ export const TEXTBOOK = {
   ),
   planar_rp: robot(
     'Planar RP',
-    'The RP manipulator of Craig, Introduction to Robotics (3rd ed., 2005), ch. 6; lengths and limits chosen here',
+    'The RP manipulator of Craig, Introduction to Robotics (3rd ed., 2005); lengths and limits chosen here',
     [turn(90, 0, 0, 90, -180, 180, 30), slide(0, 0, 0, 0, 200, 1000, 700)],
   ),
   planar_pr: robot('PR arm', 'The PR arm of first courses; table, lengths and limits chosen here', [

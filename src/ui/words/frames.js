@@ -12,7 +12,7 @@ export const FRAMES = {
   one: ONE,
   none: { user: 'World', tool: 'Flange, no tool' },
   noneDetail: { user: 'the world’s own axes', tool: 'the last frame of the table' },
-  own: 'Tool in no list',
+  own: 'Unlisted tool',
   keepOwn: 'Put into the list',
   keptOwn: (/** @type {string} */ id) => `The tool in use is in the list now, as ${id}.`,
   choose: (/** @type {Kind} */ kind, /** @type {string} */ id) => `Use the ${ONE[kind].toLowerCase()} ${id}`,

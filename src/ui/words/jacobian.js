@@ -16,7 +16,8 @@ export const JACOBIAN = {
   },
   about: (/** @type {string} */ axes) => `Joint rates to the twist of the tool point, along ${axes}.`,
   geometry: 'By geometry',
-  geometryFoot: 'Columns: of a turning joint, axis × arm above axis; of a slide, axis above zero.',
+  geometryFoot:
+    'Column of a turning joint: z × (p − o) above z, with o on its axis and p the tool point; of a slide: z above 0.',
   numeric: (/** @type {string} */ method, /** @type {string} */ step) => `By ${method} difference, h = ${step} rad`,
   difference: 'Difference',
   largest: (/** @type {string} */ value) => `Largest: ${value}, lengths over L.`,

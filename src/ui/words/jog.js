@@ -26,8 +26,9 @@ export const JOG = {
   keys: 'Arrow keys step; with Shift coarse, with Alt or Ctrl fine. Home goes home.',
   outside: (/** @type {string} */ joint, /** @type {string} */ limits) =>
     `${joint} stands outside its limits, ${limits}.`,
+  atLimitShort: (/** @type {string} */ value) => `${value}, at its limit`,
   outsideShort: (/** @type {string} */ value) => `${value}, outside`,
-  stops: (/** @type {string} */ joint, /** @type {string} */ limits) => `${joint} stops: ${limits}.`,
+  stops: (/** @type {string} */ joint, /** @type {string} */ limits) => `${joint} stops at its limits: ${limits}.`,
   notZero: (/** @type {string} */ joint, /** @type {string} */ limits, /** @type {string} */ value) =>
     `${joint} cannot stand at zero (${limits}); it is at ${value}.`,
   between: (/** @type {string} */ lower, /** @type {string} */ upper) => `${lower} to ${upper}`,

@@ -12,7 +12,7 @@ export const ROBOT = {
     /** @type {string | undefined} */ user,
     /** @type {string | undefined} */ tool,
     /** @type {boolean} */ isFlange,
-  ) => `${user ?? 'world'} · ${tool ?? (isFlange ? 'flange' : 'tool in no list')}`,
+  ) => `${user ?? 'world'} · ${tool ?? (isFlange ? 'flange' : 'unlisted tool')}`,
   about: 'About this robot',
   noBase: 'at the origin, upright',
   noTool: 'none; the flange itself',

@@ -45,6 +45,10 @@ export const STRUCTURE = {
   reread: (/** @type {string} */ name) => `Read the numbers as ${name}`,
   rereadPlain: 'Same numbers, another robot. The arm changes shape.',
   rereadDetail: (/** @type {string} */ distance) => `Same numbers, another robot. The tool jumps by ${distance}.`,
-  rereadAs: (/** @type {string} */ name, /** @type {string} */ distance) =>
-    `The numbers are read as ${name} now: another robot. The tool moved by ${distance}.`,
+  rereadAs: (
+    /** @type {string} */ name,
+    /** @type {'standard' | 'modified'} */ convention,
+    /** @type {string} */ distance,
+  ) =>
+    `The numbers are read as ${name} now: another robot, since a and α of a row come ${convention === 'modified' ? 'before its joint, no longer after it' : 'after its joint, no longer before it'}. The tool moved by ${distance}.`,
 };

@@ -11,7 +11,7 @@ export const PANELS = {
   left: 'Robot and program',
   right: 'Joints and poses',
   view: '3-D view of the arm',
-  skip: { label: 'Skip', view: 'To the view', robot: 'To the table' },
+  skip: { label: 'Skip', view: 'To the view', robot: 'To the table', jog: 'To the joints', aim: 'To the target' },
   leftEdge: 'Width of the left panel',
 };
 

@@ -4,6 +4,7 @@
  *
  * @import { Doc } from '../model/document.js'
  * @import { Issue } from '../model/issues.js'
+ * @import { UrdfChoices } from './urdf.js'
  * @import { Snap } from './urdf/urdfArm.js'
  */
 import { fileIssue } from './fileIssues.js';
@@ -14,15 +15,16 @@ import { readXmlTree } from './xmlTree.js';
 
 /**
  * @param {string} text
- * @returns {{ doc: Doc | null, issues: Issue[] }} null when there is an error among the issues
+ * @returns {{ doc: Doc | null, issues: Issue[], chain?: { choices: UrdfChoices | null, snaps: readonly Snap[] } }} doc: null
+ *   when there is an error among the issues; chain: what of a URDF a person may choose otherwise, with `readUrdf`
  */
 export function readRobotFile(text) {
   const { root, issues } = readXmlTree(text);
   if (!root) return { doc: null, issues };
   if (isRlkin(root)) return rlkinFrom(root);
   if (root.name !== 'robot' || root.namespace !== '') return robotXmlFrom(root);
-  const urdf = urdfFrom(root, {});
-  return { doc: urdf.doc, issues: [...urdf.issues, ...(urdf.doc ? urdf.snaps.map(nearlyParallel) : [])] };
+  const { doc, issues: found, choices, snaps } = urdfFrom(root, {});
+  return { doc, issues: [...found, ...(doc ? snaps.map(nearlyParallel) : [])], chain: { choices, snaps } };
 }
 
 /** @param {Snap} snap */

@@ -13,6 +13,7 @@
  * @property {string} base
  * @property {readonly TipChoice[]} tips   of this base
  * @property {string | null} tip
+ * @property {boolean} isOpen   whether others are about as likely as the likeliest
  */
 import { deepFreeze } from '../model/freeze.js';
 import { newDocument } from '../model/newDocument.js';
@@ -22,7 +23,7 @@ import { validateDocument } from '../model/validate.js';
 import { atLine, fileIssue, hasErrors } from './fileIssues.js';
 import { kinematicIssues } from './kinematicIssues.js';
 import { armFrom } from './urdf/urdfArm.js';
-import { endBeyond, likelyTip, moves, pathIssues, pathTo, tipsFrom, urdfTree } from './urdf/urdfChain.js';
+import { endBeyond, leavesChoice, likelyTip, moves, pathIssues, pathTo, tipsFrom, urdfTree } from './urdf/urdfChain.js';
 import { urdfRobotFrom } from './urdf/urdfRobot.js';
 import { writeUrdf } from './urdf/urdfWriter.js';
 import { readXmlTree } from './xmlTree.js';
@@ -70,7 +71,8 @@ export function urdfFrom(root, { baseLink, tipLink, snap }) {
   const tips = tipsFrom(tree, robot, base);
   const tip = tipLink ?? likelyTip(tree, robot, base);
   const bases = [...robot.links.keys()].filter((link) => tipsFrom(tree, robot, link).length > 0);
-  const choices = bases.length > 0 ? { bases, base, tips, tip } : null;
+  const isOpen = leavesChoice(tree, robot, base);
+  const choices = bases.length > 0 ? { bases, base, tips, tip, isOpen } : null;
   if (tip === null) {
     const moving = robot.joints.filter(moves).length;
     const message = `No chain from "${shownText(base)}" has 2 to 6 joints that move (the file has ${moving}); expected an arm.`;

@@ -7,6 +7,7 @@
  * @import { Convention, Doc, JointField, Units } from './document.js'
  * @import { FrameCommand } from './frameCommands.js'
  * @import { JointCommand } from './jointCommands.js'
+ * @import { PostureCommand } from './postureCommand.js'
  * @import { RobotCommand } from './robotCommands.js'
  * @import { TableCommand } from './tableCommand.js'
  * @import { TargetCommand } from './targets.js'
@@ -21,6 +22,7 @@
  *   | { type: 'convert-units', units: Units }
  *   | { type: 'convert-convention', convention: Convention }
  *   | { type: 'reinterpret-convention', convention: Convention }
+ *   | PostureCommand
  *   | TableCommand
  *   | JointCommand
  *   | TargetCommand
@@ -33,6 +35,7 @@ import { convertConvention } from './convertConvention.js';
 import { convertUnits } from './convertUnits.js';
 import { applyFrameCommand } from './frameCommands.js';
 import { applyJointCommand } from './jointCommands.js';
+import { applyPostureCommand } from './postureCommand.js';
 import { applyRobotCommand } from './robotCommands.js';
 import { textOf, withField } from './jointFields.js';
 import { applyTableCommand } from './tableCommand.js';
@@ -80,6 +83,8 @@ export function applyCommand(doc, command) {
       return robot.convention === command.convention
         ? doc
         : { ...doc, robot: { ...robot, convention: command.convention } };
+    case 'set-postures':
+      return applyPostureCommand(doc, command);
     case 'set-table':
       return applyTableCommand(doc, command);
     case 'add-joint':

@@ -6,10 +6,11 @@
  * @import { Issue } from './issues.js'
  */
 import { MAX_POSTURES } from './document.js';
-import { CONVENTIONS, ID_PATTERN, PRESENT_POSTURE_ID } from './documentRules.js';
+import { CONVENTIONS } from './documentRules.js';
 import { frameRefusal } from './frameRefusals.js';
 import { tableRefusal } from './tableCommand.js';
 import { targetRefusal } from './targetRefusals.js';
+import { POSTURE_NAME, isPostureName, postureRefusal } from './postureCommand.js';
 import { badText } from './textRefusals.js';
 import { jointRefusal } from './jointRefusals.js';
 import { badChoice, badIndex, badNumber, badPosture, issue, shown } from './refusalParts.js';
@@ -60,6 +61,8 @@ export function refusal(doc, command) {
       return badConvention(command.convention) ?? baseAndToolRefusal(doc, command.convention);
     case 'reinterpret-convention':
       return badConvention(command.convention);
+    case 'set-postures':
+      return postureRefusal(doc, command);
     case 'set-table':
       return tableRefusal(command);
     case 'add-joint':
@@ -121,13 +124,7 @@ function crossedLimits({ robot }, { joint, field, value }) {
 /** @param {Doc} doc @param {Extract<Command, { type: 'rename-posture' }>} command */
 function badPostureId({ postures }, { index, id }) {
   const path = `postures.${index}.id`;
-  if (!ID_PATTERN.test(id) || id === PRESENT_POSTURE_ID) {
-    return issue(
-      'id',
-      path,
-      'A name is a letter or _, then at most 63 letters, digits or _, and not the word "current".',
-    );
-  }
+  if (!isPostureName(id)) return issue('id', path, POSTURE_NAME);
   if (postures.some((other, i) => i !== index && other.id === id)) {
     return issue('id-taken', path, `Another posture is called "${id}" already.`);
   }

@@ -15,7 +15,7 @@
  *   | { what: 'tool-chosen' | 'user-chosen', id: string | null }
  *   | { what: 'units', units: Units }
  *   | { what: 'convention', convention: Convention }
- *   | { what: 'base' | 'tool' | 'info' | 'order' | 'table' | 'posture' | 'other' }
+ *   | { what: 'base' | 'tool' | 'info' | 'order' | 'table' | 'posture' | 'postures' | 'other' }
  *   | { what: 'list', list: ListName, change: ListChange, id: string }} Change  `joint` counts from 0
  */
 import { textOf } from './jointFields.js';
@@ -29,6 +29,7 @@ export function whatChanged(before, after) {
   const chosen = before.robot.joints === after.robot.joints ? ofActive(before, after) : null;
   if (chosen) return chosen;
   if (before.robot !== after.robot) return ofRobot(before.robot, after.robot);
+  if (areSeveral(before.postures, after.postures)) return { what: 'postures' };
   if (before.posture !== after.posture) {
     const moved = differing(before.posture, after.posture);
     return moved.length === 1 ? { what: 'joint-moved', joint: moved[0] } : { what: 'posture' };
@@ -113,6 +114,17 @@ function ofList(list, before, after) {
   }
   const changed = differing(before, after);
   return told('changed', now[changed[0] ?? 0]);
+}
+
+/**
+ * Of the postures more than one changed at once, as happens when a table of them is read.
+ * @param {Doc['postures']} before @param {Doc['postures']} after
+ */
+function areSeveral(before, after) {
+  if (Math.abs(before.length - after.length) > 1) return true;
+  if (before.length !== after.length) return false;
+  const ids = new Set(before.map(({ id }) => id));
+  return differing(before, after).length > 1 && !after.every(({ id }) => ids.has(id));
 }
 
 /** Where two lists of one length differ. @param {readonly unknown[]} one @param {readonly unknown[]} other */

@@ -3,6 +3,7 @@
  * refused in words. Fetched, with the parser, when the first file arrives.
  *
  * @import { Page } from './page.js'
+ * @import { UrdfChoices } from '../io/urdf.js'
  * @import { Doc } from '../model/document.js'
  * @import { Issue } from '../model/issues.js'
  *
@@ -17,13 +18,21 @@
 import { decodeText } from '../io/decodeText.js';
 import { readRobotFile } from '../io/robotFile.js';
 import { showReport } from './fileReport.js';
+import { h } from './dom.js';
 import { fixed } from './format.js';
+import { icon } from './icons.js';
 import { TEXT } from './strings.js';
 import { ARRIVAL } from './words/arrival.js';
 
 /** Far more than a robot file may have in any encoding: not even looked at. */
 const LARGEST_BYTES = 16 * 1024 * 1024;
 const MEGABYTE = 1024 * 1024;
+
+/** The names of files that are no robots but tables. */
+const TABLE_NAME = /\.(csv|tsv|txt)$/i;
+
+/** So long a note stays that nobody has to read. */
+const NOTE_SECONDS = 12;
 
 /** The dialog of what arrived last; the next one closes it. @type {{ hide: () => void } | null} */
 let open = null;
@@ -40,8 +49,82 @@ export async function receive(page, source, { isWanted, again }) {
   open = null;
   const { name, text, issues: earlier } = await arrived(source);
   if (!isWanted()) return;
-  const { doc, issues } = text === null ? { doc: null, issues: [] } : readRobotFile(text);
-  end(page, { name, text, doc, issues: [...earlier, ...issues], again });
+  if (text !== null && TABLE_NAME.test(name) && !text.trimStart().startsWith('<')) {
+    await postures(page, { name, text, earlier, again });
+    return;
+  }
+  const answer = text === null ? { doc: null, issues: [] } : readRobotFile(text);
+  /** @param {Doc | null} doc @param {readonly Issue[]} issues */
+  const finish = (doc, issues) => end(page, { name, text, doc, issues: [...earlier, ...issues], again });
+  if (text === null || !leavesChoice(answer)) {
+    finish(answer.doc, answer.issues);
+    const { choices } = answer.chain ?? {};
+    if (text !== null && answer.doc && choices) offerOther(page, name, choices, () => void choose(text));
+    return;
+  }
+  await choose(text);
+
+  /** @param {string} urdf */
+  async function choose(urdf) {
+    const { chooseChain } = await import('./urdfDialog.js');
+    open?.hide();
+    open = chooseChain({ name, text: urdf, onOpen: finish });
+  }
+}
+
+/**
+ * Which chain was taken without asking, and the way to another one.
+ * @param {Page} page
+ * @param {string} name
+ * @param {UrdfChoices} choices
+ * @param {() => void} choose
+ */
+function offerOther({ clock, store }, name, { base, tip }, choose) {
+  const other = h('button', { type: 'button', class: 'btn btn-outline' }, ARRIVAL.other);
+  const close = h('button', { type: 'button', class: 'btn btn-icon', 'aria-label': TEXT.close }, icon('close'));
+  const text = h('p', {}, ARRIVAL.chain(name, base, tip ?? ''));
+  const note = h('div', { class: 'notice is-good', role: 'status' }, icon('checkCircle'), text, other, close);
+  const { edition } = store.state.session;
+  other.addEventListener('click', () => {
+    note.remove();
+    if (store.state.session.edition === edition) choose();
+  });
+  close.addEventListener('click', () => note.remove());
+  clock.after(NOTE_SECONDS, () => note.remove());
+  document.querySelector('.notices')?.append(note);
+}
+
+/**
+ * A table of joint values.
+ * @param {Page} page
+ * @param {{ name: string, text: string, earlier: readonly Issue[], again: () => void }} given
+ */
+async function postures(page, { name, text, earlier, again }) {
+  const [{ readPostures }, { openPostureTable }] = await Promise.all([
+    import('../io/postureCsv.js'),
+    import('./postureTable.js'),
+  ]);
+  open?.hide();
+  const reading = readPostures(text, page.store.state.doc.robot);
+  if (reading.fault === null) {
+    open = openPostureTable(page, name, reading);
+    return;
+  }
+  const issue = /** @type {const} */ ({ severity: 'error', code: 'postures', path: '', message: reading.fault });
+  end(page, { name, text: null, doc: null, issues: [...earlier, issue], again });
+}
+
+/** What another chain of a URDF, or snapping, may mend. */
+const MENDED = ['joint-count', 'joint-type', 'mimic', 'not-exact'];
+
+/**
+ * Whether a person should say which chain of a URDF it is, or what becomes of axes that are nearly parallel.
+ * @param {ReturnType<typeof readRobotFile>} answer
+ */
+function leavesChoice({ doc, issues, chain }) {
+  if (!chain?.choices) return false;
+  if (doc) return chain.choices.isOpen || chain.snaps.length > 0;
+  return issues.every(({ severity, code }) => severity === 'warning' || MENDED.includes(code));
 }
 
 /**

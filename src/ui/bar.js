@@ -134,5 +134,6 @@ function robotButton(page, content) {
 const fileItems = (files, openShare) => [
   item(TEXT.bar.open, TEXT.bar.openDetail, () => files.choose()),
   item(TEXT.bar.save, TEXT.bar.saveDetail, () => files.save()),
+  item(TEXT.bar.saveAs, TEXT.bar.saveAsDetail, () => void files.saveAs()),
   item(TEXT.bar.shareItem, TEXT.bar.shareDetail, openShare),
 ];

@@ -1,5 +1,5 @@
 /**
- * Hand a text to the person as a file.
+ * Hand a text, or what is no text, to the person as a file.
  * @import { Clock } from '../model/clock.js'
  */
 
@@ -8,12 +8,14 @@ const KEPT_SECONDS = 60;
 
 /**
  * @param {string} name
- * @param {string} text
+ * @param {string | Blob} content
  * @param {string} type  media type
  * @param {Clock} clock
  */
-export function download(name, text, type, clock) {
-  const url = URL.createObjectURL(new Blob([text], { type: `${type};charset=utf-8` }));
+export function download(name, content, type, clock) {
+  const url = URL.createObjectURL(
+    content instanceof Blob ? content : new Blob([content], { type: `${type};charset=utf-8` }),
+  );
   const link = document.createElement('a');
   link.href = url;
   link.download = name;

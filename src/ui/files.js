@@ -4,6 +4,7 @@
  *
  * @import { Source } from './arrival.js'
  * @import { Page } from './page.js'
+ * @import { TakePicture } from './pictureChoice.js'
  */
 import { writeRobotXml } from '../io/robotXmlWriter.js';
 import { download } from './download.js';
@@ -15,7 +16,7 @@ export function createFiles(page) {
   const { store, opener, announce, clock, messages } = page;
   const input = h('input', {
     type: 'file',
-    accept: '.xml,.urdf,application/xml,text/xml',
+    accept: '.xml,.urdf,.csv,.tsv,application/xml,text/xml,text/csv',
     hidden: true,
     'aria-hidden': 'true',
     tabindex: -1,
@@ -40,9 +41,17 @@ export function createFiles(page) {
     }
   }
 
+  /** @type {TakePicture | null} */
+  let takePicture = null;
   return {
     choose,
     take,
+    /** @param {TakePicture} take */
+    offerPicture: (take) => void (takePicture = take),
+    async saveAs() {
+      const { openSaveAs } = await import('./saveAs.js'); // messages.js says it when that fails
+      openSaveAs(page, { robotFile: fileNameOf(store.state.doc.robot.name), takePicture });
+    },
     save() {
       const { doc } = store.state;
       const name = `${fileNameOf(doc.robot.name)}.xml`;

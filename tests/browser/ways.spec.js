@@ -103,3 +103,90 @@ test('a robot file is pasted as text where no field has the focus; other drags a
   expect(taken).toEqual([false, false, false, true]);
   await expect(dialog.locator('.issue-text')).toHaveText(/^This is the address of something, .*\.$/);
 });
+
+test('a URDF with a choice is asked about: base, tip and nearly parallel axes, with what results; Escape changes nothing', async ({
+  page,
+}) => {
+  await open(page);
+  /** @param {string} name @param {string} content */
+  const choose = (name, content) =>
+    page.locator('input[type=file]').setInputFiles({ name, mimeType: '', buffer: Buffer.from(content) });
+  const scara = await readFile(fixture('urdf/yguel_scara.urdf'), 'utf8');
+  const dialog = page.getByRole('dialog');
+  await choose('scara.urdf', scara);
+  await expect(dialog).toContainText(
+    /Axes 2 and 3 are 0\.091° from parallel; treating them as parallel moves the tool by at most 0\.48 mm/,
+  );
+  await expect(dialog.getByRole('cell', { name: 'joint2', exact: true })).toBeVisible();
+  await page.keyboard.press('Escape');
+  await expect(dialog).toHaveCount(0);
+  await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
+  await expect(page.getByRole('button', { name: /^Puma 560/ })).toBeVisible();
+
+  await choose('scara.urdf', scara);
+  await dialog.getByRole('button', { name: 'Snap' }).click();
+  await expect(dialog).toContainText('With the axes made parallel.');
+  await dialog.getByRole('button', { name: 'Open' }).click();
+  await expect(dialog).toHaveCount(0);
+  const longest = () => page.evaluate(() => Math.max(...window.denavit.model().joints.map(({ d }) => Math.abs(d))));
+  expect(await longest()).toBeLessThan(2);
+
+  // seven joints: no table has them; a part of them has
+  const link = (/** @type {number} */ i) =>
+    `<joint name="j${i}" type="continuous"><parent link="l${i - 1}"/><child link="l${i}"/><origin xyz="0.1 0 0.3"/><axis xyz="0 ${i % 2} ${1 - (i % 2)}"/></joint><link name="l${i}"/>`;
+  await choose(
+    'seven.urdf',
+    `<robot name="seven"><link name="l0"/>${[1, 2, 3, 4, 5, 6, 7].map(link).join('')}</robot>`,
+  );
+  await expect(dialog).toContainText('7 joints move; expected 2 to 6');
+  await expect(dialog.getByRole('button', { name: 'Open' })).toBeDisabled();
+  await dialog.getByLabel('Base').selectOption('l1');
+  await expect(dialog.getByLabel('Tip')).toHaveValue('l7');
+  await dialog.getByRole('button', { name: 'Open' }).click();
+  await expect(page.getByRole('button', { name: /^seven/ })).toBeVisible();
+  expect(await page.evaluate(() => window.denavit.model().info.source)).toBe('URDF, l1 to l7');
+  for (const name of [/^yguel_scara|^scara/, /^Puma 560/]) {
+    await page.getByRole('button', { name: 'Undo' }).click();
+    await expect(page.getByRole('button', { name })).toBeVisible();
+  }
+});
+
+test('what a format does not hold is listed before it is saved; postures leave as CSV and come back as one change', async ({
+  page,
+}) => {
+  await open(page, 'robot=planar2r');
+  await page.getByRole('tab', { name: 'Program' }).click();
+  await page.getByRole('button', { name: 'Record here' }).click();
+  const saveAs = async () => {
+    await page.getByRole('button', { name: 'File' }).click();
+    await page.getByRole('button', { name: /^Save as/ }).click();
+  };
+  const dialog = page.getByRole('dialog');
+  await saveAs();
+  await expect(dialog.locator('.save-file')).toHaveText('Planar-2R.xml');
+  await expect(dialog).toContainText('Everything in the document is kept.');
+  await dialog.getByRole('radio', { name: /^URDF/ }).check();
+  await expect(dialog.locator('.save-file')).toHaveText('Planar-2R.urdf');
+  await expect(dialog.locator('.issue-text').filter({ hasText: '1 recorded posture (p1)' })).toHaveCount(1);
+  await dialog.getByRole('radio', { name: /^Postures as CSV/ }).check();
+  const coming = page.waitForEvent('download');
+  await dialog.getByRole('button', { name: 'Save', exact: true }).click();
+  const download = await coming;
+  expect(download.suggestedFilename()).toBe('Planar-2R.csv');
+  const csv = await readFile(await download.path(), 'utf8');
+  expect(csv).toMatch(/^name,[^,]+ \(deg\),[^,]+ \(deg\)\r\ncurrent,.*\r\np1,/);
+  await expect(dialog).toHaveCount(0);
+
+  const more = `${csv}pick,10,-20\r\nno name,1,2\r\nhalf,1\r\n`.replace(/current,[^\r]*/, 'current,30,45');
+  await page.locator('input[type=file]').setInputFiles({ name: 'p.csv', mimeType: '', buffer: Buffer.from(more) });
+  const rows = dialog.getByRole('row');
+  await expect(rows.filter({ hasText: 'p1' })).toContainText('stays as it is');
+  await expect(rows.filter({ hasText: 'pick' })).toContainText('is added');
+  await expect(rows.filter({ hasText: 'Joint 2 has nothing; expected a number.' })).toHaveCount(1);
+  await dialog.getByRole('button', { name: 'Take 3 rows' }).click();
+  await expect(page.getByLabel('Name of posture 2')).toHaveValue('pick');
+  expect(await page.evaluate(() => window.denavit.joints())).toEqual([30, 45]);
+  await page.getByRole('button', { name: /^Undo/ }).click();
+  await expect(page.getByLabel('Name of posture 2')).toHaveCount(0);
+  expect(await page.evaluate(() => window.denavit.joints())).not.toEqual([30, 45]);
+});

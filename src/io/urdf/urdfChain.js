@@ -110,16 +110,38 @@ export const tipsFrom = (tree, { links }, base) =>
  * @param {string} base
  * @returns {string | null} null if there is no chain of 2 to 6 moving joints
  */
-export function likelyTip(tree, robot, base) {
-  const ranked = tipsFrom(tree, robot, base)
+export const likelyTip = (tree, robot, base) => rankedTips(tree, robot, base)[0]?.link ?? null;
+
+/** @param {UrdfTree} tree @param {UrdfRobot} robot @param {string} base  the likeliest tip first */
+const rankedTips = (tree, robot, base) =>
+  tipsFrom(tree, robot, base)
     .map(({ link, moving }) => {
       const path = pathTo(tree, base, link) ?? [];
-      const named = TIP_NAMES.findIndex((pattern) => pattern.test(link));
+      const found = TIP_NAMES.findIndex((pattern) => pattern.test(link));
+      const named = found === -1 ? TIP_NAMES.length : found;
       const isArm = path.every((joint) => !moves(joint) || isArmJoint(joint));
-      return { link, rank: [isArm ? 0 : 1, named === -1 ? TIP_NAMES.length : named, -moving, -path.length] };
+      return { link, moving, isArm, isNamed: found !== -1, rank: [isArm ? 0 : 1, named, -moving, -path.length] };
     })
     .sort((a, b) => a.rank.map((value, i) => value - b.rank[i]).find((difference) => difference !== 0) ?? 0);
-  return ranked[0]?.link ?? null;
+
+/**
+ * The likeliest tip is one of several that are about as likely: at the end of another branch, with as many joints that move,
+ * and no better name.
+ * @param {UrdfTree} tree
+ * @param {UrdfRobot} robot
+ * @param {string} base
+ */
+export function leavesChoice(tree, robot, base) {
+  const [best, ...others] = rankedTips(tree, robot, base);
+  if (!best) return false;
+  const isRival = (/** @type {typeof best} */ other) =>
+    other.isArm && other.moving === best.moving && (other.isNamed || !best.isNamed);
+  const isOnOneLine = (/** @type {string} */ link) =>
+    pathTo(tree, link, best.link) !== null || pathTo(tree, best.link, link) !== null;
+  // flange and tool0 of one arm name one and the same end of it
+  const lastMoved = (/** @type {string} */ link) => pathTo(tree, base, link)?.findLast(moves);
+  const isSameEnd = (/** @type {string} */ link) => best.isNamed && lastMoved(link) === lastMoved(best.link);
+  return !best.isArm || others.filter(isRival).some(({ link }) => !isOnOneLine(link) && !isSameEnd(link));
 }
 
 /**

@@ -5,6 +5,9 @@ export const ARRIVAL = {
   stillHere: (/** @type {string} */ robot) => `${robot} is still here, unchanged.`,
   opened: (/** @type {string} */ name) => `${name} is open.`,
   openedWith: (/** @type {string} */ name) => `${name} is open, with remarks`,
+  chain: (/** @type {string} */ name, /** @type {string} */ base, /** @type {string} */ tip) =>
+    `${name} is open, from ${base} to ${tip}.`,
+  other: 'Other base or tip…',
   another: 'Choose another file',
   copyReport: 'Copy report',
   reportCopied: 'The report is copied.',

@@ -23,6 +23,7 @@ export const STEPS = {
   jointRemoved: /** @type {OfJoint} */ ((joint) => `joint ${joint} removed`),
   jointMoved: /** @type {OfJoint} */ ((joint) => `joint ${joint} moved`),
   posture: 'arm moved',
+  postures: 'recorded postures',
   order: 'order of the joints',
   table: 'table changed',
   robot: (/** @type {string} */ name) => `${name} opened`,

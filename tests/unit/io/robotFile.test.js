@@ -11,8 +11,8 @@ const urdf = (/** @type {string} */ name) =>
 test('the root element tells which format it is', () => {
   expect(readRobotFile(robotFile())).toEqual(readRobotXml(robotFile()));
   const text = urdf('ur5');
-  const { doc, issues } = readUrdf(text);
-  expect(readRobotFile(text)).toEqual({ doc, issues });
+  const { doc, issues, choices, snaps } = readUrdf(text);
+  expect(readRobotFile(text)).toEqual({ doc, issues, chain: { choices, snaps } });
   expect(readRobotFile('<sdf/>').issues[0].message).toContain('is in the format SDFormat');
   expect(readRobotFile('').issues[0].code).toBe('empty');
 });

@@ -235,6 +235,7 @@ test('base and tip are chosen; what is nested in a transmission is no joint', ()
       { link: 'd', moving: 3 },
     ],
     tip: 'd',
+    isOpen: false,
   });
   expect(opened(text, { baseLink: 'b' }).robot.joints.map(({ label, id }) => label ?? id)).toEqual(['two', 'three']);
   expect(opened(text, { tipLink: 'c' }).robot.joints).toHaveLength(2);
@@ -260,6 +261,32 @@ test('an arm with seven joints is refused, unless a tip on the way is chosen', (
   const withFinger = text.replaceAll('"j7"', '"finger"');
   expect(opened(withFinger).robot.joints).toHaveLength(6);
   expect(opened(text.replaceAll('"g"', '"tool0"')).robot.joints).toHaveLength(6);
+});
+
+/** @param {number} count @param {string} more */
+const column = (count, more) =>
+  `<robot name="column"><link name="l0"/>${Array.from(
+    { length: count },
+    (_, i) =>
+      `<joint name="j${i + 1}" type="continuous"><parent link="l${i}"/><child link="l${i + 1}"/><origin xyz="0.1 0 0.3"/><axis xyz="0 ${i % 2} ${1 - (i % 2)}"/></joint><link name="l${i + 1}"/>`,
+  ).join('')}${more}</robot>`;
+
+/** @param {string} name @param {string} parent */
+const fixedLink = (name, parent) =>
+  `<joint name="to_${name}" type="fixed"><parent link="${parent}"/><child link="${name}"/></joint><link name="${name}"/>`;
+
+test.for(
+  /** @type {const} */ ([
+    ['one line of links', '', false],
+    ['a flange and tool0 beside it', fixedLink('flange', 'l4') + fixedLink('tool0', 'l4'), false],
+    ['tool0 with a camera beside it and a gripper on it', fixedLink('tool0', 'l4') + fixedLink('camera', 'l4') + fixedLink('grip', 'tool0'), false], // prettier-ignore
+    ['a camera half way', fixedLink('camera', 'l3'), false],
+    ['a camera beside a gripper at the end', fixedLink('camera', 'l4') + fixedLink('grip', 'l4'), true],
+    ['two named ends', fixedLink('tool0', 'l4') + column(4, fixedLink('right_tool0', 'r4')).replace(/<\/?robot[^>]*>|<link name="l0"\/>/g, '').replace(/"([lj])([1-4])"/g, (_, kind, n) => `"${kind === 'l' ? 'r' : 'i'}${n}"`), true], // prettier-ignore
+  ]),
+)('a file with %s leaves a choice: %s', ([, more, isOpen]) => {
+  const { choices, doc } = readUrdf(column(4, more));
+  expect([choices?.isOpen, doc !== null]).toEqual([isOpen, true]);
 });
 
 test('joint values keep zero and sign, limits and rates their units', () => {

@@ -156,6 +156,20 @@ export const anyAction = fc.oneof(
     posture: fc.array(anyNumber, { minLength: 1, maxLength: 6 }),
   }),
   fc.constant(/** @type {Action} */ ({ type: 'record-posture' })),
+  fc.record(
+    {
+      type: fc.constant(/** @type {const} */ ('set-postures')),
+      postures: fc.array(
+        fc.record({
+          id: fc.constantFrom('p1', 'p2', 'pick', 'current', ''),
+          q: fc.oneof(anyNumbers(2), anyNumbers(6)),
+        }),
+        { maxLength: 3 },
+      ),
+      posture: anyNumbers(6),
+    },
+    { requiredKeys: ['type', 'postures'] },
+  ),
   fc.record({
     type: fc.constant(/** @type {const} */ ('rename-posture')),
     index: fc.integer({ min: -1, max: 4 }),

@@ -1,0 +1,192 @@
+/**
+ * A URDF that leaves a choice: from which link to which the arm goes, and whether axes that are nearly parallel are made so.
+ * What comes of it is shown before anything is opened.
+ *
+ * @import { Doc, RobotDoc } from '../model/document.js'
+ * @import { Issue } from '../model/issues.js'
+ * @import { Snap } from '../io/urdf/urdfArm.js'
+ */
+import './css/urdfDialog.css';
+import { readUrdf } from '../io/urdf.js';
+import { DH_FIELDS } from '../model/document.js';
+import { convertLength, toRadians } from '../model/units.js';
+import { DISMISSES, closeButton, openDialog } from './dialog.js';
+import { fill, h, symbol } from './dom.js';
+import { compact, jointIcon, unitSign } from './format.js';
+import { icon } from './icons.js';
+import { segments } from './segments.js';
+import { TEXT } from './strings.js';
+import { URDF } from './words/urdfDialog.js';
+
+const BRIEF = 8;
+const LETTERS = { theta: 'θ', d: 'd', a: 'a', alpha: 'α' };
+const TWO_DIGITS = 2;
+
+/** A little more than the largest angle, so that rounding leaves none out. */
+const MARGIN = 1 + 1e-6;
+
+/**
+ * @param {object} given
+ * @param {string} given.name   of the file
+ * @param {string} given.text
+ * @param {(doc: Doc, issues: readonly Issue[]) => void} given.onOpen
+ */
+export function chooseChain({ name, text, onOpen }) {
+  /** @type {{ baseLink?: string, tipLink?: string, isSnapped: boolean, read: ReturnType<typeof readUrdf> }} */
+  const now = { isSnapped: false, read: readUrdf(text) };
+  const base = h('select', { id: 'urdf-base', class: 'form-select' });
+  const tip = h('select', { id: 'urdf-tip', class: 'form-select' });
+  const result = h('div', { class: 'urdf-result' });
+  const open = h('button', { type: 'button', class: 'btn btn-primary' }, icon('folder'), URDF.open);
+  const question = h('p', { class: 'soft' });
+  const snapping = segments(URDF.snapLabel, ['keep', 'snap'], { keep: URDF.keep, snap: URDF.snap }, (value) => {
+    now.isSnapped = value === 'snap';
+    read();
+  });
+  const effect = h('p', {});
+  const nearly = h('div', { class: 'urdf-nearly' }, icon('exclamation', 'warn'), effect, snapping.element);
+
+  /** @param {{ baseLink?: string, tipLink?: string }} [links] */
+  function read(links = { baseLink: now.baseLink, tipLink: now.tipLink }) {
+    Object.assign(now, links);
+    const exact = readUrdf(text, links);
+    const largest = Math.max(0, ...exact.snaps.map(({ angle }) => angle));
+    now.read = now.isSnapped && largest > 0 ? readUrdf(text, { ...links, snap: toRadians(largest) * MARGIN }) : exact;
+    draw();
+  }
+
+  function draw() {
+    const { doc, issues, choices, snaps } = now.read;
+    if (choices) {
+      fill(
+        base,
+        [...new Set([choices.base, ...choices.bases])].map((link) => h('option', { value: link }, link)),
+      );
+      base.value = choices.base;
+      fill(
+        tip,
+        choices.tips.map(({ link, moving }) => h('option', { value: link }, URDF.tipChoice(link, moving))),
+      );
+      if (choices.tips.length === 0) fill(tip, h('option', {}, URDF.none));
+      else tip.value = now.tipLink ?? choices.tip ?? '';
+    }
+    question.textContent = choices?.isOpen || !doc || snaps.length === 0 ? URDF.question : URDF.questionParallel;
+    snapping.draw(now.isSnapped ? 'snap' : 'keep');
+    nearly.hidden = snaps.length === 0;
+    effect.textContent = snaps.length > 0 ? inWords(snaps) : '';
+    open.disabled = doc === null;
+    const errors = issues.filter(({ severity }) => severity === 'error');
+    fill(
+      result,
+      doc
+        ? [preview(doc.robot), h('p', { class: 'soft sm' }, now.isSnapped && snaps.length ? URDF.snapped : URDF.one)]
+        : errors.map(({ message }) => h('p', { class: 'urdf-refused' }, icon('octagon', 'bad'), message)),
+    );
+  }
+
+  base.addEventListener('change', () => read({ baseLink: base.value, tipLink: undefined }));
+  tip.addEventListener('change', () => read({ baseLink: now.baseLink, tipLink: tip.value }));
+  open.addEventListener('click', () => {
+    const { doc, issues } = now.read;
+    if (!doc) return;
+    dialog.hide();
+    onOpen(doc, issues);
+  });
+  draw();
+  const dialog = openDialog({
+    name: 'urdf-choice takes-files',
+    title: 'urdf-title',
+    fit: 'modal-dialog-centered modal-fullscreen-sm-down',
+    content: [
+      h(
+        'div',
+        { class: 'row-flex dialog-head' },
+        h('div', { class: 'grow' }, h('h2', { id: 'urdf-title' }, URDF.title(name)), question),
+        closeButton(),
+      ),
+      h(
+        'div',
+        { class: 'urdf-body' },
+        h(
+          'div',
+          { class: 'urdf-links' },
+          h('label', { for: base.id, class: 'soft' }, URDF.base),
+          base,
+          h('label', { for: tip.id, class: 'soft' }, URDF.tip),
+          tip,
+        ),
+        nearly,
+        h('div', { role: 'status' }, result),
+      ),
+      h(
+        'div',
+        { class: 'row-flex urdf-foot' },
+        h('button', { ...DISMISSES, class: 'btn btn-outline' }, URDF.cancel),
+        open,
+      ),
+    ],
+    onShown: () => (open.disabled ? tip : open).focus(),
+  });
+  return dialog;
+}
+
+/** "Axes 2 and 3 are 0.00042° from parallel; treating them …" @param {readonly Snap[]} snaps */
+function inWords(snaps) {
+  const pairs = snaps.map(({ after, angle }) =>
+    URDF.nearly(URDF.axes(after, after + 1), String(Number(angle.toPrecision(TWO_DIGITS)))),
+  );
+  const most = convertLength(Math.max(...snaps.map(({ moves }) => moves)), 'm', 'mm');
+  return `${pairs.join(', ')}; ${URDF.effect(notLess(most))}`;
+}
+
+/** Two digits that say no less. @param {number} value */
+function notLess(value) {
+  if (!(value > 0)) return '0';
+  const step = 10 ** (Math.floor(Math.log10(value)) - 1);
+  return String(Number((Math.ceil(value / step) * step).toPrecision(TWO_DIGITS)));
+}
+
+/** The table that it becomes. @param {RobotDoc} robot */
+const preview = ({ joints, units }) =>
+  h(
+    'div',
+    { class: 'urdf-scroll' },
+    h(
+      'table',
+      { class: 'urdf-table', 'aria-label': URDF.result },
+      h(
+        'thead',
+        {},
+        h(
+          'tr',
+          {},
+          h('th', { scope: 'col' }, URDF.joint),
+          h('th', { scope: 'col' }, URDF.name),
+          DH_FIELDS.map((field) =>
+            h(
+              'th',
+              { scope: 'col', class: 'number' },
+              symbol(LETTERS[field]),
+              ' ',
+              h('span', { class: 'unit' }, field === 'a' || field === 'd' ? unitSign(units.length) : units.angle),
+            ),
+          ),
+        ),
+      ),
+      h(
+        'tbody',
+        {},
+        joints.map((joint, i) =>
+          h(
+            'tr',
+            {},
+            h('th', { scope: 'row' }, `${i + 1} `, icon(jointIcon(joint)), ' ', TEXT.table.jointType[joint.type]),
+            h('td', { class: 'name' }, joint.label ?? joint.id),
+            DH_FIELDS.map((field) =>
+              h('td', { class: joint[field] === 0 ? 'number zero' : 'number' }, compact(joint[field], BRIEF).text),
+            ),
+          ),
+        ),
+      ),
+    ),
+  );

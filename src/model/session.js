@@ -9,6 +9,7 @@
  * @import { Hindrance } from './follow.js'
  * @import { Handle } from './handleAxes.js'
  * @import { JacobianView } from './jacobianView.js'
+ * @import { JogStop } from './jog.js'
  * @import { JogChoices } from './jogChoices.js'
  * @import { NumbersView } from './numbersView.js'
  * @import { ToolKeeps } from './toolChange.js'
@@ -24,6 +25,8 @@
  * @property {Float64Array | null} T_world_goal  where the tool is wanted; null while a link is dragged
  * @property {Hindrance | null} hindrance
  * @property {boolean} isHeld   the hand is still on it
+ *
+ * @typedef {JogStop & { readonly posture: readonly number[] }} JogEnd
  *
  * @typedef {object} Session
  * @property {Panel} panel      the one that is open, where the screen has room for one only
@@ -43,6 +46,7 @@
  * @property {Handle} handle    on the tool, to drag it by; it stays when another document is opened
  * @property {'move' | 'turn' | null} toolKeys  what arrow keys in the view do to the tool, once it is taken
  * @property {ToolDrag | null} drag  of the tool, under way
+ * @property {JogEnd | null} jogEnd  what the pendant stopped at, for as long as the arm stands there
  * @property {number | null} pointedLink  the joint that moves the link under the pointer
  * @property {JogChoices} jog  how the arm is jogged
  * @property {JacobianView} jacobian  which one is shown, and how
@@ -87,6 +91,7 @@ const FRESH = {
   handle: FIRST_HANDLE,
   toolKeys: null,
   drag: null,
+  jogEnd: null,
   pointedLink: null,
   jog: FIRST_JOG,
   jacobian: FIRST_JACOBIAN,

@@ -95,6 +95,14 @@ export function createJogMotion(page, onProgress) {
     return { stop, isTilting, isSlow: !stop && press.travelled !== before.travelled + amount };
   }
 
+  /** @param {Progress} progress */
+  function tell(progress) {
+    const { stop: end } = progress;
+    const { posture } = store.state.doc;
+    store.dispatch({ type: 'show', change: { jogEnd: end && { ...end, posture } } });
+    onProgress(progress);
+  }
+
   function onFrame() {
     if (!held) return;
     // Somebody else has moved the arm, or undone: it is theirs.
@@ -104,7 +112,7 @@ export function createJogMotion(page, onProgress) {
     held.then = now;
     if (seconds > 0) {
       const progress = go(held, seconds);
-      onProgress(progress);
+      tell(progress);
       if (progress.stop) return stop();
     }
     clock.onFrame(onFrame);
@@ -116,9 +124,9 @@ export function createJogMotion(page, onProgress) {
     const { posture } = store.state.doc;
     held = { way, sign, gesture: newGesture(), then: clock.now(), press: null, posture };
     store.dispatch({ type: 'show', change: { heldJoint: 'joint' in way ? way.joint : null } });
-    onProgress({ stop: null, isSlow: false, isTilting: false });
+    tell({ stop: null, isSlow: false, isTilting: false });
     if (!isByStep) return clock.onFrame(onFrame);
-    onProgress(go(held, 0));
+    tell(go(held, 0));
   }
 
   function stop() {

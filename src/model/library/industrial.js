@@ -2,7 +2,7 @@
  * Arms of factories.
  * @import { RobotDoc } from '../document.js'
  */
-import { robot, turn } from './rows.js';
+import { coupled, robot, turn } from './rows.js';
 
 /** @type {Record<string, RobotDoc>} */
 export const INDUSTRIAL = {
@@ -52,11 +52,11 @@ export const INDUSTRIAL = {
   ),
   fanuc_m10ia: robot(
     'FANUC M-10iA',
-    'Derived from https://github.com/ros-industrial/fanuc @8fee5e3, m10ia_macro.xacro; lengths agree with ARTE. No coupling of J2 and J3',
+    'Derived from https://github.com/ros-industrial/fanuc @8fee5e3, m10ia_macro.xacro; lengths agree with ARTE. The pendant counts J3 from the horizontal: J23_factor 1 in the launch file of fanuc_driver',
     [
       turn(0, 450, 150, -90, -179.9087476710785, 179.9087476710785, 0),
       turn(-90, 0, 600, 180, -89.95437383553924, 159.85522484149968, 10),
-      turn(0, 0, 200, -90, -179.9087476710785, 264.13354355530953, -20),
+      coupled(turn(0, 0, 200, -90, -179.9087476710785, 264.13354355530953, -20), 'joint_2', -1),
       turn(0, -640, 0, 90, -189.64903018830248, 189.64903018830248, 0),
       turn(0, 0, 0, -90, -189.64903018830248, 189.64903018830248, -60),
       turn(0, -100, 0, 180, -359.817495342157, 359.817495342157, 0),

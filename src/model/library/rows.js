@@ -25,6 +25,18 @@ export const turn = (/** @type {Row} */ ...row) => joint('revolute', row);
 export const slide = (/** @type {Row} */ ...row) => joint('prismatic', row);
 
 /**
+ * A joint whose number on the controller's pendant has a part of another's in it.
+ * @param {(index: number) => JointDoc} make
+ * @param {string} coupledTo
+ * @param {number} coupling
+ * @returns {(index: number) => JointDoc}
+ */
+export const coupled = (make, coupledTo, coupling) => (index) => ({
+  ...make(index),
+  controller: { sign: 1, offset: 0, coupledTo, coupling },
+});
+
+/**
  * @param {string} name
  * @param {string | null} source  of its numbers
  * @param {((index: number) => JointDoc)[]} joints

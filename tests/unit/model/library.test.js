@@ -7,6 +7,7 @@ import { compilePosture, compileRobot } from '../../../src/model/compile.js';
 import { homePosture, isSliding } from '../../../src/model/document.js';
 import { FIRST_ROBOT, LIBRARY, LIBRARY_FAMILIES } from '../../../src/model/library.js';
 import { newRobot } from '../../../src/model/newRobot.js';
+import { onPendant } from '../../../src/model/pendantNumbers.js';
 import { LIBRARY_IDS, firstRobot, loadRobot } from '../../../src/model/shelf.js';
 
 /** @param {string} name */
@@ -139,3 +140,25 @@ function leastMotion(robot) {
   expect(freedoms).toBe(part === 'full' ? chain.dof : Math.min(chain.dof, robot.name === 'Planar 3R' ? 2 : 3));
   return isotropy;
 }
+
+test('of the FANUC arms the M-10iA has its published coupling: on its pendant J3 counts from the horizontal', () => {
+  const coupledIn = (/** @type {typeof LIBRARY[string]} */ { joints }) =>
+    joints.flatMap(({ controller: { coupledTo, coupling } }, i) => (coupledTo ? [[i, coupledTo, coupling]] : []));
+  for (const [id, robot] of Object.entries(LIBRARY)) {
+    expect(coupledIn(robot), id).toEqual(id === 'fanuc_m10ia' ? [[2, 'joint_2', -1]] : []);
+  }
+  const robot = LIBRARY.fanuc_m10ia;
+  const values = (/** @type {number[]} */ posture) => onPendant(robot, posture).values;
+  const turned = (/** @type {number[]} */ posture) => {
+    const T = tcpPose(compileRobot(robot), compilePosture(robot, posture));
+    return [0, 1, 2, 4, 5, 6, 8, 9, 10].map((k) => T[k]);
+  };
+  // the arm leans by 30 degrees and the forearm stays level: on the pendant J3 stays
+  const [upright, leaning] = [
+    [0, 0, 0, 0, 0, 0],
+    [0, 30, 30, 0, 0, 0],
+  ];
+  turned(leaning).forEach((value, k) => expect(value).toBeCloseTo(turned(upright)[k], 12));
+  expect(values(leaning)[2]).toBeCloseTo(0, 12);
+  expect(values([0, 0, 30, 0, 0, 0])[2]).toBeCloseTo(30, 12);
+});

@@ -57,7 +57,7 @@ test('it is looked for where a singularity is in the way, and at the nearest pos
   const posture = [1, 2];
   const state = (/** @type {object} */ session) =>
     /** @type {Parameters<typeof lostWanted>[0]} */ (
-      /** @type {unknown} */ ({ doc: { posture }, session: { drag: null, answer: null, target: null, ...session } })
+      /** @type {unknown} */ ({ doc: { posture }, session: { drag: null, jogEnd: null, answer: null, target: null, ...session } })
     );
   const answer = { isMet: false, posture };
   expect(lostWanted(state({}))).toBeNull();
@@ -67,4 +67,8 @@ test('it is looked for where a singularity is in the way, and at the nearest pos
   expect(lostWanted(state({ target: [0], answer: { ...answer, isMet: true } }))).toBeNull();
   expect(lostWanted(state({ target: [0], answer: { ...answer, posture: [1, 3] } }))).toBeNull();
   expect(lostWanted(state({ target: null, answer }))).toBeNull();
+  expect(lostWanted(state({ jogEnd: { why: 'singularity', posture } }))).toBe('stopped');
+  expect(lostWanted(state({ jogEnd: { why: 'reach', posture } }))).toBe('near');
+  expect(lostWanted(state({ jogEnd: { why: 'limit', joint: 1, posture } }))).toBeNull();
+  expect(lostWanted(state({ jogEnd: { why: 'singularity', posture: [1, 3] } }))).toBeNull();
 });

@@ -125,7 +125,7 @@ function stand(robot, isOther, link) {
   const derived = createDerived();
   const addView = createViews(store, clock, { onError: messages.fault });
   const camera = {
-    where: () => stage?.camera() ?? null,
+    where: (/** @type {{ isChosen?: boolean } | undefined} */ only) => stage?.camera(only) ?? null,
     goTo: (/** @type {readonly number[]} */ there) => stage?.goTo(there),
   };
   const announce = createAnnouncer();

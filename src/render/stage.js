@@ -189,7 +189,11 @@ export function createStage({ host, clock, quality, text, isCalm = () => false, 
     keepInPicture,
     look,
     closeIn,
-    camera: () => (surface.draws > 0 ? cameraNumbers(view.viewpoint(), surface.width / surface.height) : null),
+    /** @param {{ isChosen?: boolean }} [only]  null while the page itself keeps the arm in the picture */
+    camera: ({ isChosen = false } = {}) =>
+      surface.draws === 0 || (isChosen && view.isUntouched)
+        ? null
+        : cameraNumbers(view.viewpoint(), surface.width / surface.height),
     /** @param {readonly number[]} numbers  as `camera` gives them */
     goTo(numbers) {
       wanted = numbers;

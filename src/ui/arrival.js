@@ -27,6 +27,8 @@ import { ARRIVAL } from './words/arrival.js';
 /** Far more than a robot file may have in any encoding: not even looked at. */
 const LARGEST_BYTES = 16 * 1024 * 1024;
 const MEGABYTE = 1024 * 1024;
+/** The address of a model (io/shareLink.js), as text. */
+const SHARE_LINK = /^\s*[a-z]+:[^\s#]*(#model=\S*)\s*$/i;
 
 /** The names of files that are no robots but tables. */
 const TABLE_NAME = /\.(csv|tsv|txt)$/i;
@@ -47,6 +49,12 @@ let open = null;
 export async function receive(page, source, { isWanted, again }) {
   open?.hide();
   open = null;
+  const [, hash] = SHARE_LINK.exec(source.text ?? '') ?? [];
+  if (hash) {
+    const { followLink } = await import('./linked.js');
+    if (isWanted()) followLink(page, hash);
+    return;
+  }
   const { name, text, issues: earlier } = await arrived(source);
   if (!isWanted()) return;
   if (text !== null && TABLE_NAME.test(name) && !text.trimStart().startsWith('<')) {

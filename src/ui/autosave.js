@@ -26,7 +26,7 @@ export function startAutosave(page, { visit, today, ready }) {
     today,
     look() {
       const { session } = store.state;
-      return writeLook({ panels: session, view: session, camera: page.camera.where() });
+      return writeLook({ panels: session, view: session, camera: page.camera.where({ isChosen: true }) });
     },
     onFail: async () => (await offers()).sayNotKept(page),
   });

@@ -82,7 +82,7 @@ export function watchDropAndPaste({ clock }, files) {
     if (!data || event.defaultPrevented || isField(target) || isField(document.activeElement) || isBarred()) return;
     const text = data.getData('text/plain');
     if (data.files.length > 0) void files.take({ files: [...data.files], way: 'pasted' });
-    else if (text.trimStart().startsWith('<')) void files.take({ files: [], text, way: 'pasted' });
+    else if (/^\s*<|#model=/.test(text)) void files.take({ files: [], text, way: 'pasted' });
     else return;
     event.preventDefault();
   });

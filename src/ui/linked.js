@@ -20,9 +20,13 @@ export function linkHere() {
   return { doc: answer.doc, show: (/** @type {Page} */ page) => show(page, answer) };
 }
 
-/** Another link is in the address now: one step that can be undone. @param {Page} page */
-export function followLink(page) {
-  const answer = readShareLink(location.hash);
+/**
+ * Another link is in the address now, or was pasted: one step that can be undone.
+ * @param {Page} page
+ * @param {string} [hash]
+ */
+export function followLink(page, hash = location.hash) {
+  const answer = readShareLink(hash);
   const { doc } = answer;
   if (doc && writeRobotXml(doc) !== writeRobotXml(page.store.state.doc)) page.opener.open(doc);
   show(page, answer);

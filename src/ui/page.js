@@ -21,7 +21,8 @@
  * @property {Announce} announce
  * @property {Messages} messages
  * @property {Opener} opener
- * @property {{ where: () => readonly number[] | null, goTo: (there: readonly number[]) => void }} camera  null: no picture
+ * @property {{ where: (only?: { isChosen?: boolean }) => readonly number[] | null, goTo: (there: readonly number[]) => void }} camera
+ *   `where` is null without a picture, and, if asked so, while nobody has chosen where it is taken from
  */
 import { refusal } from '../model/refusals.js';
 import { stepName } from './stepName.js';

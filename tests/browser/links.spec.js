@@ -1,5 +1,6 @@
 /** A model in the address, and work that outlives its tab. */
 import { expect, test } from '@playwright/test';
+import { expectAccessible } from './accessible.js';
 import { open, settled } from './page.js';
 
 /** @typedef {import('@playwright/test').Page} Page */
@@ -17,6 +18,9 @@ async function visit(page, address = './') {
 const xml = (page) => page.evaluate(() => window.denavit.xml());
 /** @param {Page} page */
 const note = (page) => page.locator('.notice');
+
+/** Closes a tab as a person does, and waits until it is closed. @param {Page} page */
+const leave = (page) => Promise.all([page.waitForEvent('close'), page.close({ runBeforeUnload: true })]);
 
 /** The numbers of the camera, as a link has them. @param {Page} page */
 const camera = (page) =>
@@ -43,6 +47,7 @@ test('a link brings robot, posture, camera and panels to another browser; it is 
   const dialog = page.getByRole('dialog');
   await dialog.getByRole('switch', { name: 'With the panels that are open' }).check();
   await expect(dialog.locator('.share-length')).toHaveText(/^\d{3} characters\.$/);
+  await expectAccessible(page, { within: '.share' });
   await dialog.getByRole('button', { name: 'Copy the link' }).click();
   await expect(dialog.getByRole('button', { name: 'The link is copied' })).toBeVisible();
   const link = await page.evaluate(() => navigator.clipboard.readText());
@@ -68,8 +73,9 @@ test('a link brings robot, posture, camera and panels to another browser; it is 
 });
 
 test('a link put into the address of an open page is one step; a broken one leaves all as it is', async ({ page }) => {
-  await open(page, 'robot=planar2r');
+  await open(page, 'robot=planar2r&q=20,40');
   const first = await xml(page);
+  expect(await page.evaluate(() => window.denavit.link())).toMatch(/\/\?robot=planar2r&q=20,40$/);
   const link = await page.evaluate(async () => {
     const { denavit } = window;
     await denavit.load(denavit.xml().replace('Planar 2R', '&lt;img src=x onerror=alert(1)>'));
@@ -92,16 +98,17 @@ test('a link put into the address of an open page is one step; a broken one leav
     await expect(note(page).filter({ hasText: words })).toBeVisible();
     expect(await xml(page)).toBe(first);
   }
+  await page.evaluate((pasted) => {
+    const data = new DataTransfer();
+    data.setData('text/plain', `https://example.org/denavit/${pasted}`);
+    document.body.dispatchEvent(new ClipboardEvent('paste', { clipboardData: data, bubbles: true }));
+  }, `#${link}`);
+  await expect(note(page).filter({ hasText: 'Opened from the link' })).toBeVisible();
+  await page.evaluate(() => window.denavit.undo());
   await page.reload(); // begins with the broken one
   await page.evaluate(() => window.denavit.ready);
   await expect(note(page)).toContainText('The link is damaged');
   expect(await xml(page)).toBe(first);
-});
-
-test('an arm of the library has a short link', async ({ page }) => {
-  await open(page, 'robot=ur5&q=10,-80,70,-60,50,-40');
-  const link = await page.evaluate(() => window.denavit.link());
-  expect(link).toMatch(/\/\?robot=ur5&q=10,-80,70,-60,50,-40$/);
 });
 
 test('work outlives its tab: it is offered, restored as it was, and discarded', async ({ context, page }) => {
@@ -117,15 +124,16 @@ test('work outlives its tab: it is offered, restored as it was, and discarded', 
   await settled(second);
   await expect(note(second)).toHaveCount(0);
   await second.evaluate(() => window.denavit.setJoints([1, 2, 3, 4, 5, 6]));
-  await second.close({ runBeforeUnload: true });
+  await leave(second);
   await page.evaluate(() => window.denavit.setJoints([12.5, 30, -150, 7, 33.25, 8])); // and closed at once
   const work = await xml(page);
-  await page.close({ runBeforeUnload: true });
+  await leave(page);
 
   const third = await context.newPage();
   await visit(third);
   const offer = note(third);
   await expect(offer).toContainText(/^Your work of \d\d:\d\d on “Puma 560” is still here \(1 of 2\)\./);
+  await expectAccessible(third, { within: '.notice' });
   await offer.getByRole('button', { name: 'Restore' }).click();
   await expect(note(third)).toHaveCount(0);
   expect(await xml(third)).toBe(work);

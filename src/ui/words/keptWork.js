@@ -11,8 +11,7 @@ export const KEPT_WORK = {
   discarded: (/** @type {string} */ robot) => `${robot} is discarded.`,
   damaged: 'Work of an earlier visit is damaged and cannot be opened here. What is left of it can be saved as a file.',
   newer: 'Work of an earlier visit was kept by a newer Denavit, which this one cannot read. It can be saved as a file.',
-  notKept:
-    'This browser keeps no work for this page (its storage is full or switched off), so what you do is lost when the tab closes. Save it as a file.',
+  notKept: 'This browser keeps no work for this page (storage is full or off): it is lost when the tab closes.',
   saveFile: 'Save as a file',
   spoiltFile: 'kept-work.xml',
 };

@@ -52,7 +52,7 @@ export const INDUSTRIAL = {
   ),
   fanuc_m10ia: robot(
     'FANUC M-10iA',
-    'Derived from https://github.com/ros-industrial/fanuc @8fee5e3, m10ia_macro.xacro; lengths agree with ARTE. The pendant counts J3 from the horizontal: J23_factor 1 in the launch file of fanuc_driver',
+    'Derived from https://github.com/ros-industrial/fanuc @8fee5e3, m10ia_macro.xacro; lengths agree with ARTE. J23_factor 1 as in its launch file',
     [
       turn(0, 450, 150, -90, -179.9087476710785, 179.9087476710785, 0),
       turn(-90, 0, 600, 180, -89.95437383553924, 159.85522484149968, 10),

@@ -5,10 +5,11 @@
  */
 const MAY_IMPORT = {
   kinematics: { folders: [], packages: [] },
+  motion: { folders: ['kinematics'], packages: [] },
   karel: { folders: ['kinematics'], packages: [] },
-  model: { folders: ['kinematics', 'karel'], packages: [] },
+  model: { folders: ['kinematics', 'motion', 'karel'], packages: [] },
   io: { folders: ['model', 'karel', 'kinematics'], packages: ['@rgrove/parse-xml', 'fflate'] },
-  workers: { folders: ['kinematics'], packages: [] },
+  workers: { folders: ['kinematics', 'motion'], packages: [] },
   render: { folders: ['model', 'kinematics'], packages: ['three', '@types/three'] },
   ui: {
     folders: ['model', 'io', 'karel', 'workers'],

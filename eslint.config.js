@@ -67,7 +67,13 @@ const restrict = (...lists) => ['error', ...lists.flat().map(([selector, message
 
 const noBrowserGlobals = Object.fromEntries(Object.keys(globals.browser).map((name) => [name, 'off']));
 /** These run unchanged in Node, in a worker and in the page. */
-const ANYWHERE = ['src/kinematics/**/*.js', 'src/karel/**/*.js', 'src/model/**/*.js', 'src/io/**/*.js'];
+const ANYWHERE = [
+  'src/kinematics/**/*.js',
+  'src/motion/**/*.js',
+  'src/karel/**/*.js',
+  'src/model/**/*.js',
+  'src/io/**/*.js',
+];
 
 export default [
   { ignores: ['dist/', '.cache/', 'coverage/', 'test-results/', 'playwright-report/'] },

@@ -56,6 +56,12 @@ const REFUSED = [
     'kinematics-folders',
   ],
   [
+    'model in motion',
+    'src/motion/a6.js',
+    "import { doc } from '../model/document.js'; export const a = doc;",
+    'motion-folders',
+  ],
+  [
     'model in karel',
     'src/karel/a7.js',
     "import { doc } from '../model/document.js'; export const a = doc;",

@@ -1,0 +1,117 @@
+/**
+ * Ways of the tool in space, by the share of the way from 0 to 1: the straight line, and the circle through a point on the
+ * way. The tool turns at a constant rate about one axis, the shorter way round (as spherical interpolation of quaternions).
+ *
+ * @import { Pose } from '../kinematics/pose.js'
+ *
+ * @typedef {object} ToolPath
+ * @property {number} length  m
+ * @property {number} turn    rad, at most a half turn
+ * @property {number} bend    1/m, of a circle; 0 for a line
+ * @property {(share: number, out?: Pose) => Pose} poseAt
+ *
+ * @typedef {ToolPath & { center: number[], radius: number, normal: number[], sweep: number }} ArcPath  sweep: rad
+ */
+import { poseFromRotationVector } from '../kinematics/orientations/axisAngle.js';
+import { compose, poseDifference, requirePose } from '../kinematics/pose.js';
+
+const ORIGIN = [0, 0, 0];
+
+/** Three points whose triangle is flatter than this, over its longest side, have no circle that digits could tell. */
+const FLAT = 1e-6;
+
+/**
+ * @param {ArrayLike<number>} T_base_from
+ * @param {ArrayLike<number>} T_base_to
+ * @returns {ToolPath}
+ */
+export function linePath(T_base_from, T_base_to) {
+  const { turn, turnTo } = turning(T_base_from, T_base_to);
+  const [from, to] = [pointOf(T_base_from), pointOf(T_base_to)];
+  return {
+    length: length(minus(to, from)),
+    turn,
+    bend: 0,
+    poseAt: (share, out = new Float64Array(16)) =>
+      turnTo(share, share === 1 ? to : from.map((x, k) => x + share * (to[k] - x)), out),
+  };
+}
+
+/**
+ * The arc from one pose past a point to another pose.
+ * @param {ArrayLike<number>} T_base_from
+ * @param {ArrayLike<number>} via   x, y, z in metres
+ * @param {ArrayLike<number>} T_base_to
+ * @returns {ArcPath}
+ * @throws {RangeError} when the three points lie on a line, or two are the same
+ */
+export function arcPath(T_base_from, via, T_base_to) {
+  const { turn, turnTo } = turning(T_base_from, T_base_to);
+  const [from, to] = [pointOf(T_base_from), pointOf(T_base_to)];
+  const [u, v] = [minus(Array.from(via), from), minus(to, from)];
+  const across = cross(u, v);
+  const longest = Math.max(length(u), length(v), length(minus(v, u)));
+  const area = length(across);
+  if (!(area > FLAT * longest * longest)) {
+    throw new RangeError('Expected three points that are apart and not on one line, for a circle through them.');
+  }
+  // from + ((|v|² u − |u|² v) rotated a quarter about the normal) / (2 |u × v|): where the bisectors meet
+  const [uu, vv] = [dot(u, u), dot(v, v)];
+  const toCenter = cross(
+    across,
+    minus(
+      v.map((x) => x * uu),
+      u.map((x) => x * vv),
+    ),
+  ).map((x) => -x / (2 * area * area));
+  const radius = length(toCenter);
+  const normal = across.map((x) => x / area);
+  const center = from.map((x, k) => x + toCenter[k]);
+  const e = toCenter.map((x) => -x / radius);
+  const f = cross(normal, e);
+  const end = minus(to, center);
+  const angle = Math.atan2(dot(end, f), dot(end, e));
+  const sweep = angle > 0 ? angle : angle + 2 * Math.PI; // the normal is such that the way past the point is the positive one
+  return {
+    length: radius * sweep,
+    turn,
+    bend: 1 / radius,
+    center,
+    radius,
+    normal,
+    sweep,
+    poseAt(share, out = new Float64Array(16)) {
+      const [c, s] = [radius * Math.cos(share * sweep), radius * Math.sin(share * sweep)];
+      const place = share === 0 ? from : share === 1 ? to : center.map((x, k) => x + c * e[k] + s * f[k]);
+      return turnTo(share, place, out);
+    },
+  };
+}
+
+/** @param {ArrayLike<number>} T_base_from @param {ArrayLike<number>} T_base_to */
+function turning(T_base_from, T_base_to) {
+  const start = requirePose(T_base_from, 'the pose to go from');
+  const [, , , x, y, z] = poseDifference(start, requirePose(T_base_to, 'the pose to go to'));
+  const end = Float64Array.from(T_base_to);
+  const R = new Float64Array(16);
+
+  /** @param {number} share @param {readonly number[]} place @param {Pose} out */
+  function turnTo(share, place, out) {
+    if (share === 1) out.set(end);
+    else compose(poseFromRotationVector(ORIGIN, [x * share, y * share, z * share], R), start, out);
+    for (let k = 0; k < 3; k++) out[12 + k] = place[k];
+    return out;
+  }
+  return { turn: length([x, y, z]), turnTo };
+}
+
+/** @param {ArrayLike<number>} T */
+const pointOf = (T) => [T[12], T[13], T[14]];
+/** @param {readonly number[]} a @param {readonly number[]} b */
+const minus = (a, b) => a.map((x, k) => x - b[k]);
+/** @param {readonly number[]} a @param {readonly number[]} b */
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+/** @param {readonly number[]} a @param {readonly number[]} b */
+const cross = ([a, b, c], [d, e, f]) => [b * f - c * e, c * d - a * f, a * e - b * d];
+/** @param {readonly number[]} a */
+const length = ([x, y, z]) => Math.sqrt(x * x + y * y + z * z);

@@ -4,12 +4,14 @@
  *
  * @import { Doc } from '../model/document.js'
  * @import { Issue } from '../model/issues.js'
- * @import { UrdfChoices } from './urdf.js'
+ * @import { UrdfChoices } from './urdf/armDocument.js'
  * @import { Snap } from './urdf/urdfArm.js'
  */
+import { shownText } from '../model/shownText.js';
 import { fileIssue } from './fileIssues.js';
 import { isRlkin, rlkinFrom } from './rlkin.js';
 import { robotXmlFrom } from './robotXml.js';
+import { isSdf, sdfFrom } from './sdf.js';
 import { urdfFrom } from './urdf.js';
 import { readXmlTree } from './xmlTree.js';
 
@@ -22,9 +24,18 @@ export function readRobotFile(text) {
   const { root, issues } = readXmlTree(text);
   if (!root) return { doc: null, issues };
   if (isRlkin(root)) return rlkinFrom(root);
-  if (root.name !== 'robot' || root.namespace !== '') return robotXmlFrom(root);
-  const { doc, issues: found, choices, snaps } = urdfFrom(root, {});
-  return { doc, issues: [...found, ...(doc ? snaps.map(nearlyParallel) : [])], chain: { choices, snaps } };
+  const isUrdf = root.name === 'robot' && root.namespace === '';
+  if (!isUrdf && !isSdf(root)) return robotXmlFrom(root);
+  const { doc, issues: found, choices, snaps } = isUrdf ? urdfFrom(root, {}) : sdfFrom(root, {});
+  const told = [...found, ...(doc ? snaps.map(nearlyParallel) : [])];
+  if (isUrdf) return { doc, issues: told, chain: { choices, snaps } };
+  return { doc, issues: doc && choices?.isOpen ? [...told, otherChains(choices)] : told };
+}
+
+/** @param {UrdfChoices} choices */
+function otherChains({ base, tip }) {
+  const taken = `from "${shownText(base)}" to "${shownText(tip ?? '')}"`;
+  return fileIssue('not-read', `The file has several chains that may be the arm; the one ${taken} was read.`);
 }
 
 /** @param {Snap} snap */

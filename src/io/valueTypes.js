@@ -118,7 +118,7 @@ export const SIGN = {
 };
 
 /** @param {number} min @param {number} max how many numbers @returns {ValueType} */
-function numberList(min, max) {
+export function numberList(min, max) {
   const count = min === max ? `${min}` : `${min} to ${max}`;
   return {
     example: Array(min).fill('0').join(' '),

@@ -3,7 +3,7 @@
  * refused in words. Fetched, with the parser, when the first file arrives.
  *
  * @import { Page } from './page.js'
- * @import { UrdfChoices } from '../io/urdf.js'
+ * @import { UrdfChoices } from '../io/urdf/armDocument.js'
  * @import { Doc } from '../model/document.js'
  * @import { Issue } from '../model/issues.js'
  *

@@ -61,6 +61,7 @@ export function urdfPose(path, q) {
   for (const joint of path) {
     T = compose(T, joint.T_parent_joint);
     if (moves(joint)) T = compose(T, motion(joint, q[i++]));
+    if (joint.T_joint_child) T = compose(T, joint.T_joint_child);
   }
   return T;
 }
@@ -71,10 +72,12 @@ function axesOf(path) {
   const axes = [];
   for (const joint of path) {
     T = compose(T, joint.T_parent_joint);
-    if (!moves(joint)) continue;
-    const [x, y, z] = joint.axis;
-    const direction = [0, 1, 2].map((k) => T[k] * x + T[4 + k] * y + T[8 + k] * z);
-    axes.push({ point: position(T), direction, slides: joint.type === 'prismatic' });
+    if (moves(joint)) {
+      const [x, y, z] = joint.axis;
+      const direction = [0, 1, 2].map((k) => T[k] * x + T[4 + k] * y + T[8 + k] * z);
+      axes.push({ point: position(T), direction, slides: joint.type === 'prismatic' });
+    }
+    if (joint.T_joint_child) T = compose(T, joint.T_joint_child);
   }
   return axes;
 }

@@ -15,6 +15,7 @@
  * @property {string} parent   names of links
  * @property {string} child
  * @property {Float64Array} T_parent_joint
+ * @property {Float64Array} [T_joint_child]   where the child stands otherwise than at the joint, as in SDFormat
  * @property {readonly number[]} axis   3, of length 1, in the joint's frame; unused by a fixed joint
  * @property {{ lower: number, upper: number, effort?: number, velocity?: number } | null} limit  rad or m, or infinite; null: none given
  * @property {string | null} mimics   the name of the joint that it follows

@@ -59,6 +59,7 @@ export function sdfPose(text, tip) {
   );
   /** @param {string} name @returns {Matrix} at rest, in the model */
   function rest(name) {
+    if (name === '__model__') return NOTHING;
     const thing = things.get(name);
     if (!thing) throw new RangeError(`Nothing is called ${name}.`);
     const pose = first(thing, 'pose');
@@ -78,10 +79,11 @@ export function sdfPose(text, tip) {
     if (!joint || parent === undefined) throw new RangeError(`Nothing carries ${link}.`);
     const before = parent === 'world' ? NOTHING : moved(parent, values);
     if (joint.attributes.type === 'fixed') return before;
-    const axis = numbers(
-      /** @type {XmlElement} */ (first(/** @type {XmlElement} */ (first(joint, 'axis')), 'xyz')).text,
-    );
+    const xyz = /** @type {XmlElement} */ (first(/** @type {XmlElement} */ (first(joint, 'axis')), 'xyz'));
     const place = rest(joint.attributes.name);
+    const { expressed_in: frame } = xyz.attributes;
+    const turn = frame === undefined ? NOTHING : times(inverse(place), rest(frame));
+    const axis = turn.slice(0, 3).map((row) => numbers(xyz.text).reduce((sum, part, j) => sum + row[j] * part, 0));
     const step = motion(axis, joint.attributes.type === 'prismatic', values[joint.attributes.name]);
     return times(before, times(place, times(step, inverse(place))));
   }

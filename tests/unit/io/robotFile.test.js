@@ -13,7 +13,8 @@ test('the root element tells which format it is', () => {
   const text = urdf('ur5');
   const { doc, issues, choices, snaps } = readUrdf(text);
   expect(readRobotFile(text)).toEqual({ doc, issues, chain: { choices, snaps } });
-  expect(readRobotFile('<sdf/>').issues[0].message).toContain('is in the format SDFormat');
+  expect(readRobotFile('<sdf/>').issues[0].message).toContain('expected version 1.5 or later');
+  expect(readRobotFile('<mujoco/>').issues[0].message).toContain('is in the format MJCF');
   expect(readRobotFile('').issues[0].code).toBe('empty');
 });
 

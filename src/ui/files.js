@@ -16,7 +16,7 @@ export function createFiles(page) {
   const { store, opener, announce, clock, messages } = page;
   const input = h('input', {
     type: 'file',
-    accept: '.xml,.urdf,.csv,.tsv,application/xml,text/xml,text/csv',
+    accept: '.xml,.urdf,.sdf,.csv,.tsv,application/xml,text/xml,text/csv',
     hidden: true,
     'aria-hidden': 'true',
     tabindex: -1,

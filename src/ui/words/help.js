@@ -92,8 +92,8 @@ export const HELP = {
     {
       title: 'About',
       points: [
-        'Everything is computed in this browser. Nothing is sent anywhere; the colours, the width of the left panel and the hint you have seen are remembered here.',
-        'The address takes parameters: robot, q, units, panels, view, projection, frames, theme, hint, quality, clock. ?robot=ur5&panels=view,jog makes a frame for a course page.',
+        'Everything is computed in this browser. Nothing is sent anywhere; your work, the colours, the width of the left panel and the hint you have seen are remembered here. A shared link has the whole model in itself.',
+        'The address takes parameters: robot, q, units, panels, view, projection, frames, trace, theme, hint, autosave, quality, clock. ?robot=ur5&panels=view,jog makes a frame for a course page.',
         'Scripts find the page as window.denavit.',
         'Made with Three.js, Bootstrap, Bootstrap Icons, jQuery and math.js. Denavit is free software under the MIT licence.',
       ],

@@ -196,6 +196,7 @@ function stand(robot, isOther, link) {
   });
   if (stage) {
     view.surround(stage);
+    files.offerPicture(stage.picture);
     theme.onChange(stage.setTheme);
     const { missing } = view.text;
     const userFrame = () => derived.user(store.state.doc);

@@ -171,6 +171,11 @@ export function createScene({ skin, isLow, labels, text, onChange, onGridStep })
       onChange({ castsAnew: false });
     },
 
+    /** Grid and shadow, which a picture may leave out. @param {boolean} isShown */
+    showFloor(isShown) {
+      floor.group.visible = isShown && arm.group.visible;
+    },
+
     /** @param {boolean} isShown  on the tool, in place of its frame */
     showHandle(isShown) {
       if (isShown === hasHandle) return;

@@ -194,6 +194,19 @@ export function createStage({ host, clock, quality, text, isCalm = () => false, 
       surface.draws === 0 || (isChosen && view.isUntouched)
         ? null
         : cameraNumbers(view.viewpoint(), surface.width / surface.height),
+    /**
+     * A PNG of what is seen now, at the pixels of the screen.
+     * @param {{ background: boolean, floor: boolean, labels: boolean }} options
+     */
+    async picture(options) {
+      const { pictureOf } = await import('./picture.js');
+      scene.showFloor(options.floor);
+      surface.draw(scene.scene, view.camera, castsAnew);
+      const picture = pictureOf(surface.canvas, host, options); // reads the canvas at once
+      scene.showFloor(true);
+      redraw({ castsAnew: true });
+      return picture;
+    },
     /** @param {readonly number[]} numbers  as `camera` gives them */
     goTo(numbers) {
       wanted = numbers;

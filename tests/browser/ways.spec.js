@@ -2,6 +2,7 @@
 import { readFile } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
 import { expect, test } from '@playwright/test';
+import { PNG } from 'pngjs';
 import { open, tool } from './page.js';
 
 const fixture = (/** @type {string} */ name) => fileURLToPath(new URL(`../fixtures/${name}`, import.meta.url));
@@ -189,4 +190,28 @@ test('what a format does not hold is listed before it is saved; postures leave a
   await page.getByRole('button', { name: /^Undo/ }).click();
   await expect(page.getByLabel('Name of posture 2')).toHaveCount(0);
   expect(await page.evaluate(() => window.denavit.joints())).not.toEqual([30, 45]);
+});
+
+test('the scene is saved as a picture, with its labels, on a ground or on none', async ({ page }) => {
+  await open(page);
+  await page.getByRole('button', { name: 'File' }).click();
+  await page.getByRole('button', { name: /^Save as/ }).click();
+  const dialog = page.getByRole('dialog');
+  await dialog.getByRole('radio', { name: /^Picture of the scene/ }).check();
+  await expect(dialog.locator('.save-foot')).toContainText(/\d+ × \d+ pixels/);
+  await dialog.getByLabel('Background').uncheck();
+  await dialog.getByLabel('Floor').uncheck();
+  const coming = page.waitForEvent('download');
+  await dialog.getByRole('button', { name: 'Save', exact: true }).click();
+  const download = await coming;
+  expect(download.suggestedFilename()).toBe('Puma-560.png');
+  const { width, height, data } = PNG.sync.read(await readFile(await download.path()));
+  const size = await page
+    .locator('canvas')
+    .evaluate((/** @type {HTMLCanvasElement} */ canvas) => canvas.width * canvas.height);
+  expect(width * height).toBe(size);
+  const opaque = Array.from({ length: size }, (_, i) => data[4 * i + 3]).filter((alpha) => alpha > 250).length;
+  expect(opaque / size).toBeGreaterThan(0.02); // the arm
+  expect(opaque / size).toBeLessThan(0.5);
+  expect([data[3], data[data.length - 1]]).toEqual([0, 0]); // nothing behind it
 });

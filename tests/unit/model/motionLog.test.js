@@ -88,3 +88,12 @@ test('what it was, and as text for a spreadsheet', () => {
   );
   expect(text).toBe('t,J1 [deg],v\r\n0,1,\r\n0.5,,250\r\n');
 });
+
+test('pictures that come late change no speed', () => {
+  const { recording, move } = rail();
+  const late = [1, 3, 2, 6, 1].map((frames) => frames * FRAME);
+  for (const seconds of late) move(0.3 * seconds, seconds);
+  for (const one of recording.log.speed.slice(2)) expect(one).toBeCloseTo(0.3, 9);
+  const { time } = recording.log;
+  expect(time[time.length - 1]).toBeCloseTo(12 * FRAME, 9); // the first one is a step
+});

@@ -12,7 +12,7 @@ import { fileIssue } from './fileIssues.js';
 import { isRlkin, rlkinFrom } from './rlkin.js';
 import { robotXmlFrom } from './robotXml.js';
 import { isSdf, sdfFrom } from './sdf.js';
-import { urdfFrom } from './urdf.js';
+import { styleSheetIssues, urdfFrom } from './urdf.js';
 import { readXmlTree } from './xmlTree.js';
 
 /**
@@ -27,7 +27,7 @@ export function readRobotFile(text) {
   const isUrdf = root.name === 'robot' && root.namespace === '';
   if (!isUrdf && !isSdf(root)) return robotXmlFrom(root);
   const { doc, issues: found, choices, snaps } = isUrdf ? urdfFrom(root, {}) : sdfFrom(root, {});
-  const told = [...found, ...(doc ? snaps.map(nearlyParallel) : [])];
+  const told = [...(isUrdf ? styleSheetIssues(text) : []), ...found, ...(doc ? snaps.map(nearlyParallel) : [])];
   if (isUrdf) return { doc, issues: told, chain: { choices, snaps } };
   return { doc, issues: doc && choices?.isOpen ? [...told, otherChains(choices)] : told };
 }

@@ -2,6 +2,7 @@
  * URDF, the robot description of ROS, in and out. In: one serial chain of the file becomes a Denavit–Hartenberg table that is
  * the same arm to 1e-8 m. Out: joints whose frames are those of the table.
  *
+ * @import { Issue } from '../model/issues.js'
  * @import { ArmAnswer, ArmOptions } from './urdf/armDocument.js'
  * @import { XmlElement } from './xmlTree.js'
  */
@@ -23,11 +24,12 @@ export function readUrdf(text, options = {}) {
   const { root, issues } = readXmlTree(text);
   if (!root) return refused(issues);
   const answer = urdfFrom(root, options);
-  const styled = /<\?xml-stylesheet\s/.test(text)
-    ? [fileIssue('not-read', 'The file names a style sheet, which is not read.')]
-    : [];
-  return { ...answer, issues: [...styled, ...answer.issues] };
+  return { ...answer, issues: [...styleSheetIssues(text), ...answer.issues] };
 }
+
+/** What stands before the root element and is not heeded. @param {string} text @returns {Issue[]} */
+export const styleSheetIssues = (text) =>
+  /<\?xml-stylesheet\s/.test(text) ? [fileIssue('not-read', 'The file names a style sheet, which is not read.')] : [];
 
 /**
  * @param {XmlElement} root

@@ -3,13 +3,16 @@
  * their own slopes; the same in a sentence and in a table.
  *
  * @import { DifferenceMethod } from '../model/jacobianView.js'
+ * @import { Page } from './page.js'
  * @import { errorCurves } from '../model/quotients.js'
  */
 import { PLOTTED } from '../model/quotients.js';
 import { fill, h } from './dom.js';
+import { createPlotSaver } from './savePlot.js';
 import { powerOfTen, stepText, tiny } from './scientific.js';
 import { svg } from './svg.js';
 import { JACOBIAN } from './words/jacobian.js';
+import { PLOT } from './words/plot.js';
 
 const SIZE = { width: 372, height: 224 };
 const ROOM = { left: 42, right: 10, top: 10, bottom: 38 };
@@ -33,7 +36,8 @@ const short = (/** @type {number} */ value) => value.toFixed(1);
 
 /** @typedef {ReturnType<typeof errorCurves>} Curves */
 
-export function createErrorPlot() {
+/** @param {Page} page */
+export function createErrorPlot(page) {
   const picture = svg('svg', {
     viewBox: `0 0 ${SIZE.width} ${SIZE.height}`,
     class: 'error-plot',
@@ -122,7 +126,14 @@ export function createErrorPlot() {
   }
 
   return {
-    element: h('figure', { class: 'error-figure' }, /** @type {Node} */ (picture), sentence, table),
+    element: h(
+      'figure',
+      { class: 'error-figure' },
+      /** @type {Node} */ (picture),
+      sentence,
+      table,
+      createPlotSaver(page, PLOT.errorFile, picture, SIZE),
+    ),
     /**
      * @param {Curves} curves
      * @param {{ method: DifferenceMethod, step: number, own: number, error: number }} now  own: the default step

@@ -50,7 +50,7 @@ export function createJacobianPanel(page, host) {
   };
   const { geometric, numeric, difference } = matrices;
   const stepControl = createStepControl(page);
-  const plot = createErrorPlot();
+  const plot = createErrorPlot(page);
   const gauge = createSingularityGauge(page);
   const measures = createMotionMeasures(page);
   const statics = createStaticsForm(page);

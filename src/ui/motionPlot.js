@@ -18,7 +18,9 @@ import { jointNumbers } from './jointNumbers.js';
 import { createMotionCurves, styleOf } from './motionCurves.js';
 import { TEXT } from './strings.js';
 import { svg } from './svg.js';
+import { createCanvasSaver } from './savePlot.js';
 import { MOTION } from './words/motion.js';
+import { PLOT } from './words/plot.js';
 
 /** Seconds of motion that are kept and drawn. */
 const WINDOW = 20;
@@ -45,7 +47,8 @@ export function createMotionPlot(page, host) {
     body,
   );
   const full = h('div', {}, stage, table);
-  fill(host, empty, full, h('div', { class: 'motion-buttons' }, pause, clear, copy));
+  const save = createCanvasSaver(page, PLOT.motionFile, () => [...stage.querySelectorAll('canvas')]);
+  fill(host, empty, full, h('div', { class: 'motion-buttons' }, pause, clear, copy, save));
 
   let isOpen = false;
   let isPaused = false;
@@ -127,7 +130,7 @@ export function createMotionPlot(page, host) {
     const isEmpty = !recording || recording.log.time.length === 0;
     empty.hidden = !isEmpty;
     full.hidden = isEmpty;
-    clear.disabled = copy.disabled = isEmpty;
+    clear.disabled = copy.disabled = save.disabled = isEmpty;
   }
 
   function draw() {

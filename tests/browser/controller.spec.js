@@ -45,7 +45,9 @@ test('the published numbers of an R-2000iB, typed as on its pendant, are its pub
   await field(3).fill('240');
   await expect(page.locator('#jog-reason')).toBeHidden();
   await field(3).press('Enter');
-  await expect(page.locator('#jog-reason')).toHaveText('J3 stops at its limits: −224.716° to 235.284° while J2 is −5.3°.');
+  await expect(page.locator('#jog-reason')).toHaveText(
+    'J3 stops at its limits: −224.716° to 235.284° while J2 is −5.3°.',
+  );
   await field(3).press('Escape');
   await expect(page.getByRole('status').filter({ hasText: 'Configuration: FANUC N U T, 0, 0, 0' })).toHaveCount(1);
   await expectAccessible(page, { within: '.side.right' });

@@ -1,5 +1,7 @@
 /** The Jacobian panel: two ways to the matrix, the step between them, how near the arm is to losing a motion, and torques. */
+import { readFile } from 'node:fs/promises';
 import { expect, test } from '@playwright/test';
+import { PNG } from 'pngjs';
 import { expectAccessible } from './accessible.js';
 import { expectPicture, open, picture } from './page.js';
 
@@ -40,6 +42,24 @@ test('the step decides how far the difference is from the geometry, and the defa
   await panel(page).getByText('The plot as a table').click();
   await expect(panel(page).getByRole('row', { name: /^10⁻⁵/ })).toBeVisible();
   await expectAccessible(page, { within: '[data-room=jacobian]' });
+
+  const files = [];
+  for (const kind of ['SVG', 'PNG']) {
+    const coming = page.waitForEvent('download');
+    await panel(page)
+      .getByRole('button', { name: `Save ${kind}` })
+      .click();
+    const download = await coming;
+    expect(download.suggestedFilename()).toBe(`jacobian-error.${kind.toLowerCase()}`);
+    files.push(await readFile(await download.path()));
+  }
+  const drawing = files[0].toString('utf8');
+  expect(drawing).toMatch(/^<svg [^>]*xmlns="http:\/\/www\.w3\.org\/2000\/svg"/);
+  expect(drawing).toMatch(/<polyline [^>]*stroke-dasharray="6px, 3px"/); // its own styles, not the page's
+  expect(drawing).not.toContain('class=');
+  const { width, height, data } = PNG.sync.read(files[1]);
+  expect([width, height]).toEqual([3 * 372, 3 * 224]);
+  expect(new Set(Array.from({ length: width * height }, (_, i) => data.readUInt32BE(4 * i))).size).toBeGreaterThan(20);
 });
 
 test('the gauge leads to the wrist singularity, the ellipsoid goes flat, and torques follow a typed force', async ({

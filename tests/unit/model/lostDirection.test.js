@@ -57,7 +57,10 @@ test('it is looked for where a singularity is in the way, and at the nearest pos
   const posture = [1, 2];
   const state = (/** @type {object} */ session) =>
     /** @type {Parameters<typeof lostWanted>[0]} */ (
-      /** @type {unknown} */ ({ doc: { posture }, session: { drag: null, jogEnd: null, answer: null, target: null, ...session } })
+      /** @type {unknown} */ ({
+        doc: { posture },
+        session: { drag: null, jogEnd: null, answer: null, target: null, ...session },
+      })
     );
   const answer = { isMet: false, posture };
   expect(lostWanted(state({}))).toBeNull();

@@ -53,7 +53,7 @@ export function planJointMove(from, to, limits, { law = 'doubleS', speed = 1, ac
     }),
   );
   const longest = Math.max(0, ...own.map((each) => each.duration));
-  const duration = longest === 0 ? 0 : Math.max(longest, SHORTEST);
+  const duration = longest === 0 ? 0 : Math.max(longest, 2 * SHORTEST); // a cubic in place of a quicker law needs more time
   const slowest = duration === 0 ? null : own.findIndex((each) => each.duration === longest);
   return { duration, laws: own.map((each) => lasting(each, duration)), slowest };
 }

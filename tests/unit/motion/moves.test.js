@@ -83,6 +83,16 @@ describe('joint moves', () => {
       { seed: SEED, numRuns: runs(300) },
     );
   });
+  test('a way too short for powers of its time to be numbers is covered within the limits all the same', () => {
+    const limits = [{ rate: 0.001, acceleration: 0.1, jerk: 0.1 }];
+    for (const way of [8e-21, 1e-30, 5e-324]) {
+      for (const law of LAWS) {
+        const move = planJointMove([way], [0], limits, { law, acceleration: 0.5 });
+        expect(jointMomentsAt(move, move.duration / 2)[0].position).toBeLessThanOrEqual(way);
+        expect(Math.abs(jointMomentsAt(move, 0)[0].acceleration)).toBeLessThan(0.05 * 1.0001);
+      }
+    }
+  });
   test('wrong calls are refused', () => {
     const limits = [{ rate: 1, acceleration: 1 }];
     expect(() => planJointMove([0], [1, 2], limits)).toThrow('Expected as many values');

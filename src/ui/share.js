@@ -4,6 +4,7 @@
  * @import { Files } from './files.js'
  * @import { Page } from './page.js'
  */
+import './css/typedIn.css';
 import './css/share.css';
 import { copyText } from './clipboard.js';
 import { closeButton, openDialog } from './dialog.js';
@@ -20,7 +21,13 @@ let choice = { view: true, panels: false };
 export function openShare(page, files) {
   if (document.querySelector('.share')) return;
   const { robot } = page.store.state.doc;
-  const text = h('textarea', { rows: 4, readonly: true, spellcheck: 'false', 'aria-label': SHARE.link });
+  const text = h('textarea', {
+    class: 'text-box',
+    rows: 4,
+    readonly: true,
+    spellcheck: 'false',
+    'aria-label': SHARE.link,
+  });
   const length = h('p', { class: 'sm share-length', role: 'status' });
   const copy = h('button', { type: 'button', class: 'btn btn-primary' });
   const file = h('button', { type: 'button', class: 'btn' }, icon('download'), SHARE.saveFile);

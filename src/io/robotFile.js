@@ -4,10 +4,14 @@
  *
  * @import { Doc } from '../model/document.js'
  * @import { Issue } from '../model/issues.js'
- * @import { UrdfChoices } from './urdf/armDocument.js'
+ * @import { ArmAnswer, ArmOptions, ChainChoices } from './urdf/armDocument.js'
  * @import { Snap } from './urdf/urdfArm.js'
+ *
+ * @typedef {object} FileChain  what of a file of links and joints a person may choose otherwise
+ * @property {ChainChoices | null} choices
+ * @property {readonly Snap[]} snaps
+ * @property {(options: ArmOptions) => ArmAnswer} read  the same file once more, as it was chosen
  */
-import { shownText } from '../model/shownText.js';
 import { fileIssue } from './fileIssues.js';
 import { isRlkin, rlkinFrom } from './rlkin.js';
 import { robotXmlFrom } from './robotXml.js';
@@ -17,8 +21,7 @@ import { readXmlTree } from './xmlTree.js';
 
 /**
  * @param {string} text
- * @returns {{ doc: Doc | null, issues: Issue[], chain?: { choices: UrdfChoices | null, snaps: readonly Snap[] } }} doc: null
- *   when there is an error among the issues; chain: what of a URDF a person may choose otherwise, with `readUrdf`
+ * @returns {{ doc: Doc | null, issues: Issue[], chain?: FileChain }} doc: null when there is an error among the issues
  */
 export function readRobotFile(text) {
   const { root, issues } = readXmlTree(text);
@@ -26,16 +29,13 @@ export function readRobotFile(text) {
   if (isRlkin(root)) return rlkinFrom(root);
   const isUrdf = root.name === 'robot' && root.namespace === '';
   if (!isUrdf && !isSdf(root)) return robotXmlFrom(root);
-  const { doc, issues: found, choices, snaps } = isUrdf ? urdfFrom(root, {}) : sdfFrom(root, {});
-  const told = [...(isUrdf ? styleSheetIssues(text) : []), ...found, ...(doc ? snaps.map(nearlyParallel) : [])];
-  if (isUrdf) return { doc, issues: told, chain: { choices, snaps } };
-  return { doc, issues: doc && choices?.isOpen ? [...told, otherChains(choices)] : told };
-}
-
-/** @param {UrdfChoices} choices */
-function otherChains({ base, tip }) {
-  const taken = `from "${shownText(base)}" to "${shownText(tip ?? '')}"`;
-  return fileIssue('not-read', `The file has several chains that may be the arm; the one ${taken} was read.`);
+  const read = (/** @type {ArmOptions} */ options) => {
+    if (!isUrdf) return sdfFrom(root, options);
+    const answer = urdfFrom(root, options);
+    return { ...answer, issues: [...styleSheetIssues(text), ...answer.issues] };
+  };
+  const { doc, issues: found, choices, snaps } = read({});
+  return { doc, issues: doc ? [...found, ...snaps.map(nearlyParallel)] : found, chain: { choices, snaps, read } };
 }
 
 /** @param {Snap} snap */

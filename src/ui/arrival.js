@@ -3,7 +3,8 @@
  * refused in words. Fetched, with the parser, when the first file arrives.
  *
  * @import { Page } from './page.js'
- * @import { UrdfChoices } from '../io/urdf/armDocument.js'
+ * @import { FileChain } from '../io/robotFile.js'
+ * @import { ChainChoices } from '../io/urdf/armDocument.js'
  * @import { Doc } from '../model/document.js'
  * @import { Issue } from '../model/issues.js'
  *
@@ -61,22 +62,25 @@ export async function receive(page, source, { isWanted, again }) {
     await postures(page, { name, text, earlier, again });
     return;
   }
-  const answer = text === null ? { doc: null, issues: [] } : readRobotFile(text);
   /** @param {Doc | null} doc @param {readonly Issue[]} issues */
   const finish = (doc, issues) => end(page, { name, text, doc, issues: [...earlier, ...issues], again });
-  if (text === null || !leavesChoice(answer)) {
-    finish(answer.doc, answer.issues);
-    const { choices } = answer.chain ?? {};
-    if (text !== null && answer.doc && choices) offerOther(page, name, choices, () => void choose(text));
+  if (text === null) {
+    finish(null, []);
     return;
   }
-  await choose(text);
+  const { doc, issues, chain } = readRobotFile(text);
+  if (chain && leavesChoice(chain, doc, issues)) {
+    await choose(chain);
+    return;
+  }
+  finish(doc, issues);
+  if (doc && chain?.choices) offerOther(page, name, chain.choices, () => void choose(chain));
 
-  /** @param {string} urdf */
-  async function choose(urdf) {
-    const { chooseChain } = await import('./urdfDialog.js');
+  /** @param {FileChain} chain */
+  async function choose({ read }) {
+    const { chooseChain } = await import('./chainDialog.js');
     open?.hide();
-    open = chooseChain({ name, text: urdf, onOpen: finish });
+    open = chooseChain({ name, readChain: read, onOpen: finish });
   }
 }
 
@@ -84,7 +88,7 @@ export async function receive(page, source, { isWanted, again }) {
  * Which chain was taken without asking, and the way to another one.
  * @param {Page} page
  * @param {string} name
- * @param {UrdfChoices} choices
+ * @param {ChainChoices} choices
  * @param {() => void} choose
  */
 function offerOther({ clock, store }, name, { base, tip }, choose) {
@@ -122,16 +126,18 @@ async function postures(page, { name, text, earlier, again }) {
   end(page, { name, text: null, doc: null, issues: [...earlier, issue], again });
 }
 
-/** What another chain of a URDF, or snapping, may mend. */
+/** What another chain of the file, or snapping, may mend. */
 const MENDED = ['joint-count', 'joint-type', 'mimic', 'not-exact'];
 
 /**
- * Whether a person should say which chain of a URDF it is, or what becomes of axes that are nearly parallel.
- * @param {ReturnType<typeof readRobotFile>} answer
+ * Whether a person should say which chain of a file it is, or what becomes of axes that are nearly parallel.
+ * @param {FileChain} chain
+ * @param {Doc | null} doc
+ * @param {readonly Issue[]} issues
  */
-function leavesChoice({ doc, issues, chain }) {
-  if (!chain?.choices) return false;
-  if (doc) return chain.choices.isOpen || chain.snaps.length > 0;
+function leavesChoice({ choices, snaps }, doc, issues) {
+  if (!choices) return false;
+  if (doc) return choices.isOpen || snaps.length > 0;
   return issues.every(({ severity, code }) => severity === 'warning' || MENDED.includes(code));
 }
 

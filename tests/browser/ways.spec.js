@@ -105,7 +105,7 @@ test('a robot file is pasted as text where no field has the focus; other drags a
   await expect(dialog.locator('.issue-text')).toHaveText(/^This is the address of something, .*\.$/);
 });
 
-test('a URDF with a choice is asked about: base, tip and nearly parallel axes, with what results; Escape changes nothing', async ({
+test('a URDF or an SDFormat file with a choice is asked about: base, tip and nearly parallel axes, with what results; Escape changes nothing', async ({
   page,
 }) => {
   await open(page);
@@ -146,7 +146,25 @@ test('a URDF with a choice is asked about: base, tip and nearly parallel axes, w
   await dialog.getByRole('button', { name: 'Open' }).click();
   await expect(page.getByRole('button', { name: /^seven/ })).toBeVisible();
   expect(await page.evaluate(() => window.denavit.model().info.source)).toBe('URDF, l1 to l7');
-  for (const name of [/^yguel_scara|^scara/, /^Puma 560/]) {
+
+  // two arms on one body, in SDFormat: either may be meant
+  const arm = (/** @type {string} */ side) =>
+    [1, 2]
+      .map(
+        (i) => `<link name="${side}${i}"><pose>0 0 ${i} 0 0 0</pose></link><joint name="${side}_${i}" type="revolute">
+<parent>${i === 1 ? 'body' : `${side}1`}</parent><child>${side}${i}</child><axis><xyz>0 1 0</xyz></axis></joint>`,
+      )
+      .join('');
+  await choose(
+    'twins.sdf',
+    `<sdf version="1.9"><model name="twins"><link name="body"/>${arm('left')}${arm('right')}</model></sdf>`,
+  );
+  await expect(dialog.getByLabel('Tip')).toHaveValue('left2');
+  await dialog.getByLabel('Tip').selectOption('right2');
+  await dialog.getByRole('button', { name: 'Open' }).click();
+  await expect(page.getByRole('button', { name: /^twins/ })).toBeVisible();
+  expect(await page.evaluate(() => window.denavit.model().info.source)).toBe('SDFormat, body to right2');
+  for (const name of [/^seven/, /^yguel_scara|^scara/, /^Puma 560/]) {
     await page.getByRole('button', { name: 'Undo' }).click();
     await expect(page.getByRole('button', { name })).toBeVisible();
   }

@@ -7,14 +7,14 @@
  * @import { Snap } from './urdfArm.js'
  * @import { UrdfRobot } from './urdfRobot.js'
  *
- * @typedef {object} UrdfChoices  what a person may choose otherwise
+ * @typedef {object} ChainChoices  what a person may choose otherwise
  * @property {readonly string[]} bases
  * @property {string} base
  * @property {readonly TipChoice[]} tips   of this base
  * @property {string | null} tip
  * @property {boolean} isOpen   whether others are about as likely as the likeliest
  *
- * @typedef {{ doc: Doc | null, issues: Issue[], choices: UrdfChoices | null, snaps: readonly Snap[] }} ArmAnswer  doc: null when
+ * @typedef {{ doc: Doc | null, issues: Issue[], choices: ChainChoices | null, snaps: readonly Snap[] }} ArmAnswer  doc: null when
  *   there is an error among the issues; choices: null when no chain can be chosen
  * @typedef {{ baseLink?: string, tipLink?: string, snap?: number }} ArmOptions  snap: axes closer to parallel than this, in radians,
  *   are made parallel
@@ -29,7 +29,7 @@ import { kinematicIssues } from '../kinematicIssues.js';
 import { armFrom } from './urdfArm.js';
 import { endBeyond, leavesChoice, likelyTip, moves, pathIssues, pathTo, tipsFrom, urdfTree } from './urdfChain.js';
 
-/** @param {Issue[]} issues @param {UrdfChoices | null} [choices] @returns {ArmAnswer} */
+/** @param {Issue[]} issues @param {ChainChoices | null} [choices] @returns {ArmAnswer} */
 export const refused = (issues, choices = null) => ({ doc: null, issues, choices, snaps: [] });
 
 /**

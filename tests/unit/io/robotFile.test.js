@@ -12,7 +12,9 @@ test('the root element tells which format it is', () => {
   expect(readRobotFile(robotFile())).toEqual(readRobotXml(robotFile()));
   const text = urdf('ur5');
   const { doc, issues, choices, snaps } = readUrdf(text);
-  expect(readRobotFile(text)).toEqual({ doc, issues, chain: { choices, snaps } });
+  expect(readRobotFile(text)).toEqual({ doc, issues, chain: { choices, snaps, read: expect.any(Function) } });
+  const styled = readRobotFile(text.replace(/<robot/, '<?xml-stylesheet href="a.css"?>$&'));
+  expect(styled.chain?.read({ tipLink: 'wrist_3_link' }).issues.map(({ code }) => code)).toEqual(['not-read']);
   expect(readRobotFile('<sdf/>').issues[0].message).toContain('expected version 1.5 or later');
   expect(readRobotFile('<mujoco/>').issues[0].message).toContain('is in the format MJCF');
   expect(readRobotFile('').issues[0].code).toBe('empty');

@@ -99,18 +99,20 @@ const ARM = `<sdf version="1.9">
 <joint name="two" type="prismatic"><pose relative_to="b" degrees="true">0.5 0 0 90 0 0</pose><parent>b</parent><child>c</child><axis><xyz>0 0 1</xyz><limit><lower>-1e16</lower><upper>1</upper></limit></axis></joint>
 </model></sdf>`;
 
-test('of two chains that are as likely one is read, and that is said', () => {
+test('of two chains that are as likely one is read, and the other may be chosen', () => {
   const second = ARM.slice(ARM.indexOf('<joint'), ARM.indexOf('</model>'))
     .replaceAll('"one"', '"three"')
     .replaceAll('"two"', '"four"')
     .replaceAll(/>b<|"b"/g, (found) => found.replace('b', 'd'))
     .replaceAll('>c<', '>e<');
   const text = spoilt('</model>', `<link name="d"/><link name="e"/>${second}</model>`);
-  const { doc, issues } = readRobotFile(text);
+  const { doc, issues, chain } = readRobotFile(text);
+  expect(issues).toEqual([]);
   expect(doc?.robot.joints.map(({ id }) => id)).toEqual(['one', 'two']);
-  expect(issues.map(({ message }) => message)).toEqual([
-    'The file has several chains that may be the arm; the one from "a" to "c" was read.',
-  ]);
+  expect(chain?.choices).toMatchObject({ base: 'a', tip: 'c', isOpen: true, tips: [{ link: 'c' }, { link: 'e' }] });
+  const other = chain?.read({ tipLink: 'e' });
+  expect(other?.doc?.robot.joints.map(({ id }) => id)).toEqual(['three', 'four']);
+  expect(other?.doc?.robot.info.source).toBe('SDFormat, a to e');
 });
 
 test('limits, units and the place of the model', () => {

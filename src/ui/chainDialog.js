@@ -1,13 +1,14 @@
 /**
- * A URDF that leaves a choice: from which link to which the arm goes, and whether axes that are nearly parallel are made so.
- * What comes of it is shown before anything is opened.
+ * A robot file that leaves a choice: from which link to which the arm goes, and whether axes that are nearly parallel are made
+ * so. What comes of it is shown before anything is opened.
  *
  * @import { Doc, RobotDoc } from '../model/document.js'
  * @import { Issue } from '../model/issues.js'
+ * @import { ArmAnswer } from '../io/urdf/armDocument.js'
+ * @import { FileChain } from '../io/robotFile.js'
  * @import { Snap } from '../io/urdf/urdfArm.js'
  */
-import './css/urdfDialog.css';
-import { readUrdf } from '../io/urdf.js';
+import './css/chainDialog.css';
 import { DH_FIELDS } from '../model/document.js';
 import { convertLength, toRadians } from '../model/units.js';
 import { DISMISSES, closeButton, openDialog } from './dialog.js';
@@ -16,7 +17,7 @@ import { compact, jointIcon, unitSign } from './format.js';
 import { icon } from './icons.js';
 import { segments } from './segments.js';
 import { TEXT } from './strings.js';
-import { URDF } from './words/urdfDialog.js';
+import { CHAIN } from './words/chainDialog.js';
 
 const BRIEF = 8;
 const LETTERS = { theta: 'θ', d: 'd', a: 'a', alpha: 'α' };
@@ -28,30 +29,30 @@ const MARGIN = 1 + 1e-6;
 /**
  * @param {object} given
  * @param {string} given.name   of the file
- * @param {string} given.text
+ * @param {FileChain['read']} given.readChain  of that file
  * @param {(doc: Doc, issues: readonly Issue[]) => void} given.onOpen
  */
-export function chooseChain({ name, text, onOpen }) {
-  /** @type {{ baseLink?: string, tipLink?: string, isSnapped: boolean, read: ReturnType<typeof readUrdf> }} */
-  const now = { isSnapped: false, read: readUrdf(text) };
-  const base = h('select', { id: 'urdf-base', class: 'form-select' });
-  const tip = h('select', { id: 'urdf-tip', class: 'form-select' });
-  const result = h('div', { class: 'urdf-result' });
-  const open = h('button', { type: 'button', class: 'btn btn-primary' }, icon('folder'), URDF.open);
+export function chooseChain({ name, readChain, onOpen }) {
+  /** @type {{ baseLink?: string, tipLink?: string, isSnapped: boolean, read: ArmAnswer }} */
+  const now = { isSnapped: false, read: readChain({}) };
+  const base = h('select', { id: 'chain-base', class: 'form-select' });
+  const tip = h('select', { id: 'chain-tip', class: 'form-select' });
+  const result = h('div', { class: 'chain-result' });
+  const open = h('button', { type: 'button', class: 'btn btn-primary' }, icon('folder'), CHAIN.open);
   const question = h('p', { class: 'soft' });
-  const snapping = segments(URDF.snapLabel, ['keep', 'snap'], { keep: URDF.keep, snap: URDF.snap }, (value) => {
+  const snapping = segments(CHAIN.snapLabel, ['keep', 'snap'], { keep: CHAIN.keep, snap: CHAIN.snap }, (value) => {
     now.isSnapped = value === 'snap';
     read();
   });
   const effect = h('p', {});
-  const nearly = h('div', { class: 'urdf-nearly' }, icon('exclamation', 'warn'), effect, snapping.element);
+  const nearly = h('div', { class: 'chain-nearly' }, icon('exclamation', 'warn'), effect, snapping.element);
 
   /** @param {{ baseLink?: string, tipLink?: string }} [links] */
   function read(links = { baseLink: now.baseLink, tipLink: now.tipLink }) {
     Object.assign(now, links);
-    const exact = readUrdf(text, links);
+    const exact = readChain(links);
     const largest = Math.max(0, ...exact.snaps.map(({ angle }) => angle));
-    now.read = now.isSnapped && largest > 0 ? readUrdf(text, { ...links, snap: toRadians(largest) * MARGIN }) : exact;
+    now.read = now.isSnapped && largest > 0 ? readChain({ ...links, snap: toRadians(largest) * MARGIN }) : exact;
     draw();
   }
 
@@ -65,12 +66,12 @@ export function chooseChain({ name, text, onOpen }) {
       base.value = choices.base;
       fill(
         tip,
-        choices.tips.map(({ link, moving }) => h('option', { value: link }, URDF.tipChoice(link, moving))),
+        choices.tips.map(({ link, moving }) => h('option', { value: link }, CHAIN.tipChoice(link, moving))),
       );
-      if (choices.tips.length === 0) fill(tip, h('option', {}, URDF.none));
+      if (choices.tips.length === 0) fill(tip, h('option', {}, CHAIN.none));
       else tip.value = now.tipLink ?? choices.tip ?? '';
     }
-    question.textContent = choices?.isOpen || !doc || snaps.length === 0 ? URDF.question : URDF.questionParallel;
+    question.textContent = choices?.isOpen || !doc || snaps.length === 0 ? CHAIN.question : CHAIN.questionParallel;
     snapping.draw(now.isSnapped ? 'snap' : 'keep');
     nearly.hidden = snaps.length === 0;
     effect.textContent = snaps.length > 0 ? inWords(snaps) : '';
@@ -79,8 +80,8 @@ export function chooseChain({ name, text, onOpen }) {
     fill(
       result,
       doc
-        ? [preview(doc.robot), h('p', { class: 'soft sm' }, now.isSnapped && snaps.length ? URDF.snapped : URDF.one)]
-        : errors.map(({ message }) => h('p', { class: 'urdf-refused' }, icon('octagon', 'bad'), message)),
+        ? [preview(doc.robot), h('p', { class: 'soft sm' }, now.isSnapped && snaps.length ? CHAIN.snapped : CHAIN.one)]
+        : errors.map(({ message }) => h('p', { class: 'chain-refused' }, icon('octagon', 'bad'), message)),
     );
   }
 
@@ -94,25 +95,25 @@ export function chooseChain({ name, text, onOpen }) {
   });
   draw();
   const dialog = openDialog({
-    name: 'urdf-choice takes-files',
-    title: 'urdf-title',
+    name: 'chain-choice takes-files',
+    title: 'chain-title',
     fit: 'modal-dialog-centered modal-fullscreen-sm-down',
     content: [
       h(
         'div',
         { class: 'row-flex dialog-head' },
-        h('div', { class: 'grow' }, h('h2', { id: 'urdf-title' }, URDF.title(name)), question),
+        h('div', { class: 'grow' }, h('h2', { id: 'chain-title' }, CHAIN.title(name)), question),
         closeButton(),
       ),
       h(
         'div',
-        { class: 'urdf-body' },
+        { class: 'chain-body' },
         h(
           'div',
-          { class: 'urdf-links' },
-          h('label', { for: base.id, class: 'soft' }, URDF.base),
+          { class: 'chain-links' },
+          h('label', { for: base.id, class: 'soft' }, CHAIN.base),
           base,
-          h('label', { for: tip.id, class: 'soft' }, URDF.tip),
+          h('label', { for: tip.id, class: 'soft' }, CHAIN.tip),
           tip,
         ),
         nearly,
@@ -120,8 +121,8 @@ export function chooseChain({ name, text, onOpen }) {
       ),
       h(
         'div',
-        { class: 'row-flex urdf-foot' },
-        h('button', { ...DISMISSES, class: 'btn btn-outline' }, URDF.cancel),
+        { class: 'row-flex chain-foot' },
+        h('button', { ...DISMISSES, class: 'btn btn-outline' }, CHAIN.cancel),
         open,
       ),
     ],
@@ -133,10 +134,10 @@ export function chooseChain({ name, text, onOpen }) {
 /** "Axes 2 and 3 are 0.00042° from parallel; treating them …" @param {readonly Snap[]} snaps */
 function inWords(snaps) {
   const pairs = snaps.map(({ after, angle }) =>
-    URDF.nearly(URDF.axes(after, after + 1), String(Number(angle.toPrecision(TWO_DIGITS)))),
+    CHAIN.nearly(CHAIN.axes(after, after + 1), String(Number(angle.toPrecision(TWO_DIGITS)))),
   );
   const most = convertLength(Math.max(...snaps.map(({ moves }) => moves)), 'm', 'mm');
-  return `${pairs.join(', ')}; ${URDF.effect(notLess(most))}`;
+  return `${pairs.join(', ')}; ${CHAIN.effect(notLess(most))}`;
 }
 
 /** Two digits that say no less. @param {number} value */
@@ -150,18 +151,18 @@ function notLess(value) {
 const preview = ({ joints, units }) =>
   h(
     'div',
-    { class: 'urdf-scroll' },
+    { class: 'chain-scroll' },
     h(
       'table',
-      { class: 'urdf-table', 'aria-label': URDF.result },
+      { class: 'chain-table', 'aria-label': CHAIN.result },
       h(
         'thead',
         {},
         h(
           'tr',
           {},
-          h('th', { scope: 'col' }, URDF.joint),
-          h('th', { scope: 'col' }, URDF.name),
+          h('th', { scope: 'col' }, CHAIN.joint),
+          h('th', { scope: 'col' }, CHAIN.name),
           DH_FIELDS.map((field) =>
             h(
               'th',

@@ -1,6 +1,6 @@
-/** The dialog in which a chain of a URDF is chosen, and what it comes to. */
+/** The dialog in which a chain of a robot file is chosen, and what it comes to. */
 
-export const URDF = {
+export const CHAIN = {
   title: (/** @type {string} */ name) => `Open ${name}`,
   question: 'Which links of it are the arm?',
   questionParallel: 'Two of its axes are nearly parallel.',

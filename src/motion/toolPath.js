@@ -38,6 +38,18 @@ export function linePath(T_base_from, T_base_to) {
 }
 
 /**
+ * Whether a circle passes three points: they are apart, and not on one line.
+ * @param {ArrayLike<number>} T_base_from
+ * @param {ArrayLike<number>} via   x, y, z in metres
+ * @param {ArrayLike<number>} T_base_to
+ */
+export function hasArc(T_base_from, via, T_base_to) {
+  const [u, v] = [minus(Array.from(via), pointOf(T_base_from)), minus(pointOf(T_base_to), pointOf(T_base_from))];
+  const longest = Math.max(length(u), length(v), length(minus(v, u)));
+  return length(cross(u, v)) > FLAT * longest * longest;
+}
+
+/**
  * The arc from one pose past a point to another pose.
  * @param {ArrayLike<number>} T_base_from
  * @param {ArrayLike<number>} via   x, y, z in metres
@@ -50,9 +62,8 @@ export function arcPath(T_base_from, via, T_base_to) {
   const [from, to] = [pointOf(T_base_from), pointOf(T_base_to)];
   const [u, v] = [minus(Array.from(via), from), minus(to, from)];
   const across = cross(u, v);
-  const longest = Math.max(length(u), length(v), length(minus(v, u)));
   const area = length(across);
-  if (!(area > FLAT * longest * longest)) {
+  if (!hasArc(T_base_from, via, T_base_to)) {
     throw new RangeError('Expected three points that are apart and not on one line, for a circle through them.');
   }
   // from + ((|v|² u − |u|² v) rotated a quarter about the normal) / (2 |u × v|): where the bisectors meet

@@ -1,21 +1,15 @@
-/** Joint moves, ways of the tool, and the joints along such a way. */
+/** Ways of the tool, and the joints along such a way. */
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { createChain } from '../../../src/kinematics/chain.js';
-import { jointMomentsAt, planJointMove } from '../../../src/motion/jointMove.js';
 import { followPath } from '../../../src/motion/followPath.js';
-import { quinticLaw } from '../../../src/motion/polynomialLaws.js';
-import { momentAt } from '../../../src/motion/timeLaw.js';
 import { arcPath, linePath } from '../../../src/motion/toolPath.js';
 import { SEED, runs } from '../../helpers/property.js';
 import { angleBetween, arm, columnMajor, distanceBetween, oracleForward, rowsOf } from '../kinematics/oracle.js';
-import { ARCS, RUCKIG, toolboxCase } from './references.js';
+import { ARCS, toolboxCase } from './references.js';
 
-/** @import { LawName } from '../../../src/motion/jointMove.js' */
-/** @import { JointsCase, LineCase } from './references.js' */
+/** @import { LineCase } from './references.js' */
 
-/** @type {LawName[]} */
-const LAWS = ['trapezoid', 'doubleS', 'cubic', 'quintic'];
 const DEGREE = Math.PI / 180;
 
 const at = (/** @type {readonly number[]} */ place) =>
@@ -25,81 +19,6 @@ const at = (/** @type {readonly number[]} */ place) =>
     [0, 0, 1, place[2]],
     [0, 0, 0, 1],
   ]);
-
-describe('joint moves', () => {
-  test('six joints take the time that ruckig takes', () => {
-    const { q0, q1, vmax, amax, jmax, duration } = RUCKIG[RUCKIG.length - 1];
-    const limits = q0.map((_, i) => ({ rate: vmax[i], acceleration: amax[i], jerk: (jmax ?? [])[i] }));
-    expect(planJointMove(q0, q1, limits).duration).toBeCloseTo(duration, 12);
-  });
-  test('the quintic law is the toolbox’s jtraj', () => {
-    const { t, q, qd } = /** @type {JointsCase} */ (toolboxCase('jtraj 2dof 2s'));
-    const laws = [1, 2].map((to) => quinticLaw(0, to, 2));
-    t.forEach((time, i) => {
-      const now = laws.map((law) => momentAt(law, time));
-      now.forEach(({ position, rate }, k) => {
-        expect(Math.abs(position - q[i][k])).toBeLessThan(1e-9);
-        expect(Math.abs(rate - qd[i][k])).toBeLessThan(1e-9);
-      });
-    });
-  });
-
-  const value = fc.double({ min: -3, max: 3, noNaN: true });
-  const limit = fc.double({ min: 0.1, max: 10, noNaN: true });
-  const joint = fc.record({
-    from: value,
-    to: fc.oneof(value, fc.constant(0)),
-    rate: limit,
-    acceleration: limit,
-    jerk: limit,
-  });
-  test('all joints begin and end together, keep their limits, and one of them is at a limit', () => {
-    fc.assert(
-      fc.property(
-        fc.array(joint, { minLength: 1, maxLength: 6 }),
-        fc.constantFrom(...LAWS),
-        fc.double({ min: 0.01, max: 1, noNaN: true }),
-        (joints, law, speed) => {
-          const [from, to] = [joints.map((each) => each.from), joints.map((each) => each.to)];
-          const move = planJointMove(from, to, joints, { law, speed, acceleration: 0.5 });
-          const [first, last] = [0, move.duration].map((t) => jointMomentsAt(move, t));
-          let used = 0;
-          for (const [i, { rate, acceleration, jerk }] of joints.entries()) {
-            expect(move.laws[i].duration).toBe(move.duration);
-            expect(Math.abs(first[i].position - from[i])).toBeLessThan(1e-12);
-            expect(Math.abs(last[i].position - to[i])).toBeLessThan(1e-9);
-            for (let k = 0; k <= 40; k++) {
-              const now = momentAt(move.laws[i], (move.duration * k) / 40);
-              const jerks = law === 'trapezoid' || law === 'cubic' ? 0 : Math.abs(now.jerk) / (0.5 * jerk);
-              const shares = [Math.abs(now.rate) / (speed * rate), Math.abs(now.acceleration) / (0.5 * acceleration)];
-              used = Math.max(used, jerks, ...shares);
-            }
-          }
-          expect(used).toBeLessThan(1.001);
-          if (move.duration > 1e-6 && law !== 'cubic') expect(used).toBeGreaterThan(0.99);
-          if (move.slowest === null) expect(move.duration).toBe(0);
-        },
-      ),
-      { seed: SEED, numRuns: runs(300) },
-    );
-  });
-  test('a way too short for powers of its time to be numbers is covered within the limits all the same', () => {
-    const limits = [{ rate: 0.001, acceleration: 0.1, jerk: 0.1 }];
-    for (const way of [8e-21, 1e-30, 5e-324]) {
-      for (const law of LAWS) {
-        const move = planJointMove([way], [0], limits, { law, acceleration: 0.5 });
-        expect(jointMomentsAt(move, move.duration / 2)[0].position).toBeLessThanOrEqual(way);
-        expect(Math.abs(jointMomentsAt(move, 0)[0].acceleration)).toBeLessThan(0.05 * 1.0001);
-      }
-    }
-  });
-  test('wrong calls are refused', () => {
-    const limits = [{ rate: 1, acceleration: 1 }];
-    expect(() => planJointMove([0], [1, 2], limits)).toThrow('Expected as many values');
-    expect(() => planJointMove([0], [1], limits, { speed: 0 })).toThrow('speed: expected a share above 0');
-    expect(() => planJointMove([0], [NaN], limits)).toThrow('to: expected a finite number, got NaN.');
-  });
-});
 
 describe('ways of the tool', () => {
   test('the straight line with turning is the toolbox’s', () => {

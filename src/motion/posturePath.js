@@ -1,0 +1,83 @@
+/**
+ * Postures along a way: a chain of polynomials of the fifth degree for each joint, by how far along the way the arm is. It
+ * says where, never when, and is plain data, so that it can be posted to another thread.
+ *
+ * @typedef {object} PosturePath
+ * @property {number} dof
+ * @property {Float64Array} knots         where the pieces begin, ascending, and at last where the last one ends
+ * @property {Float64Array} coefficients  6 · dof a piece, those of a joint together, the constant one first: of λ, which goes
+ *   from 0 to 1 through the piece
+ *
+ * @typedef {object} PathMoment   derivatives are by the way
+ * @property {Float64Array} posture
+ * @property {Float64Array} first
+ * @property {Float64Array} second
+ * @property {Float64Array} third
+ */
+
+/** Coefficients of a joint in a piece. */
+export const TERMS = 6;
+
+/** @param {number} dof @returns {PathMoment} */
+export const pathMoment = (dof) => ({
+  posture: new Float64Array(dof),
+  first: new Float64Array(dof),
+  second: new Float64Array(dof),
+  third: new Float64Array(dof),
+});
+
+/**
+ * @param {PosturePath} path
+ * @param {number} s     along the way; beyond its ends it stands there
+ * @param {PathMoment} [out]
+ * @returns {PathMoment}
+ */
+export function pathMomentAt({ dof, knots, coefficients: c }, s, out = pathMoment(dof)) {
+  const piece = pieceAt(knots, s);
+  const width = knots[piece + 1] - knots[piece];
+  const x = width > 0 ? Math.min(1, Math.max(0, (s - knots[piece]) / width)) : 1;
+  const per = width > 0 ? 1 / width : 0;
+  for (let i = 0, at = TERMS * dof * piece; i < dof; i++, at += TERMS) {
+    let [p, d, half, sixth] = [0, 0, 0, 0];
+    for (let k = TERMS - 1; k >= 0; k--) {
+      sixth = sixth * x + half;
+      half = half * x + d;
+      d = d * x + p;
+      p = p * x + c[at + k];
+    }
+    out.posture[i] = p;
+    out.first[i] = d * per;
+    out.second[i] = 2 * half * per * per;
+    out.third[i] = 6 * sixth * per * per * per;
+  }
+  return out;
+}
+
+/** The last piece that begins at or before s, by halving. @param {ArrayLike<number>} knots @param {number} s */
+function pieceAt(knots, s) {
+  let [low, high] = [0, knots.length - 2];
+  while (low < high) {
+    const middle = (low + high + 1) >> 1;
+    if (knots[middle] <= s) low = middle;
+    else high = middle - 1;
+  }
+  return low;
+}
+
+/**
+ * Straight from one posture to the next.
+ * @param {readonly number[]} knots
+ * @param {readonly ArrayLike<number>[]} postures   one a knot
+ * @returns {PosturePath}
+ */
+export function straightPath(knots, postures) {
+  const dof = postures[0].length;
+  const coefficients = new Float64Array(TERMS * dof * (knots.length - 1));
+  for (let k = 0, at = 0; k < knots.length - 1; k++) {
+    for (let i = 0; i < dof; i++, at += TERMS) {
+      coefficients[at] = postures[k][i];
+      coefficients[at + 1] = postures[k + 1][i] - postures[k][i];
+    }
+  }
+  return { dof, knots: Float64Array.from(knots), coefficients };
+}

@@ -43,9 +43,10 @@ export const partOf = (/** @type {Chain} */ chain, /** @type {Part | null} */ pa
  * @param {ArrayLike<number>} q
  * @param {Part} part
  * @param {JacobianFrame} frame  whose axes directions are told along
+ * @param {Float64Array | null} [T_world_user]
  * @returns {DexterityNumbers}
  */
-export function dexterityNumbers({ units }, chain, q, part, frame) {
+export function dexterityNumbers({ units }, chain, q, part, frame, T_world_user = null) {
   const found = dexterity(chain, q, { part });
   const { freedoms, rank, conditionNumber, lengthScale } = found;
   const values = Array.from(found.singularValues, (value) =>
@@ -55,14 +56,13 @@ export function dexterityNumbers({ units }, chain, q, part, frame) {
     ...{ part, values, freedoms, rank, conditionNumber },
     lengthScale: fromKernel('length', lengthScale, units),
     manipulability: rank < freedoms || freedoms === 0 ? 0 : values.slice(0, freedoms).reduce((a, b) => a * b, 1),
-    worst: freedoms === 0 ? null : worstMotion(chain, q, part, frame),
+    worst: freedoms === 0 ? null : worstMotion(chain, q, part, axesAt(chain, q, frame, T_world_user)),
   };
 }
 
-/** @param {Chain} chain @param {ArrayLike<number>} q @param {Part} part @param {JacobianFrame} frame @returns {WorstMotion} */
-function worstMotion(chain, q, part, frame) {
+/** @param {Chain} chain @param {ArrayLike<number>} q @param {Part} part @param {Float64Array} T  of the axes @returns {WorstMotion} */
+function worstMotion(chain, q, part, T) {
   const { linear, angular, rates, gain, lostFreedoms, lengthScale: L } = lostMotion(chain, q, { part });
-  const T = axesAt(chain, q, frame);
   const [moved, turned] = [Math.hypot(...linear) / L, Math.hypot(...angular)];
   const along = moved > FAINT ? unitOf(seenAlong(linear, T)) : null;
   const about = turned > FAINT ? unitOf(seenAlong(angular, T)) : null;

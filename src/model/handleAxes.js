@@ -9,12 +9,13 @@
  * @property {boolean | null} isShown  null: as the screen has room for it
  * @property {HandleAxes} axes
  * @property {boolean} snaps   moves and turns in whole steps
+ * @property {number} across   the axis across the plane in which arrow keys move the tool
  */
 import { identity } from '../kinematics/pose.js';
 import { toRadians } from './units.js';
 
 /** @type {Handle} */
-export const FIRST_HANDLE = { isShown: null, axes: 'base', snaps: false };
+export const FIRST_HANDLE = { isShown: null, axes: 'base', snaps: false, across: 2 };
 
 /** Steps of a drag that snaps, and of a key: metres and radians. */
 export const HANDLE_STEP = { metres: 0.01, radians: toRadians(5) };

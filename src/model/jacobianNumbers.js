@@ -22,8 +22,15 @@ export const defaultStep = (/** @type {DifferenceMethod} */ method) => DEFAULT_S
 /** @param {Pick<JacobianView, 'method' | 'step'>} view @returns {number} radians */
 export const stepOf = ({ method, step }) => step ?? DEFAULT_STEP[method];
 
-/** The pose whose axes they are. @param {Chain} chain @param {ArrayLike<number>} q @param {JacobianFrame} frame */
-export const axesAt = (chain, q, frame) => poseOfAxes(frame, chain, tcpPose(chain, q));
+/**
+ * The pose whose axes they are.
+ * @param {Chain} chain
+ * @param {ArrayLike<number>} q
+ * @param {JacobianFrame} frame
+ * @param {Float64Array | null} [T_world_user]  the active user frame
+ */
+export const axesAt = (chain, q, frame, T_world_user = null) =>
+  poseOfAxes(frame, chain, tcpPose(chain, q), T_world_user);
 
 /**
  * Vectors seen from the axes of a pose: each three numbers in turn.
@@ -44,11 +51,12 @@ export function seenAlong(vectors, T_world_frame) {
  * @param {Chain} chain
  * @param {ArrayLike<number>} q
  * @param {JacobianView} view
+ * @param {Float64Array | null} [T_world_user]
  * @returns {{ geometric: Float64Array, numeric: Float64Array, largest: number }} along the axes of `view.frame`, metres and
  *   radians; the largest difference as quotients.js counts it
  */
-export function jacobiansAt(chain, q, view) {
-  const T = axesAt(chain, q, view.frame);
+export function jacobiansAt(chain, q, view, T_world_user = null) {
+  const T = axesAt(chain, q, view.frame, T_world_user);
   const G = geometricJacobian(chain, q);
   const N = jacobianByDifference(chain, q, { ...view, step: stepOf(view) });
   return { geometric: seenAlong(G, T), numeric: seenAlong(N, T), largest: largestDifference(chain, N, G) };

@@ -19,19 +19,21 @@ import { jointLoads } from './statics.js';
  * @param {Chain} chain
  * @param {ArrayLike<number>} q  metres and radians
  * @param {JacobianView} view
+ * @param {Float64Array} T_world_user
  * @returns {CopySheet}
  */
-export function jacobianSheet(what, { robot }, chain, q, view) {
+export function jacobianSheet(what, { robot, activeUser }, chain, q, view, T_world_user) {
   const name = robot.name || 'Robot';
   const { length } = robot.units;
-  const place = `at the tool point, along ${view.frame} axes`;
-  const facts = { robot: robot.name, frame: view.frame, units: { length, angle: 'rad' } };
+  const frame = view.frame === 'user' ? `user frame ${activeUser}` : view.frame;
+  const place = `at the tool point, along ${view.frame === 'user' ? `the axes of the ${frame}` : `${frame} axes`}`;
+  const facts = { robot: robot.name, frame, units: { length, angle: 'rad' } };
   const joints = robot.joints.map((_, i) => `J${i + 1}`);
   if (what === 'statics') {
     const units = robot.joints.map((joint) => (isSliding(joint) ? 'N' : 'N m'));
     return {
       title: `${name}: joint torques that hold a force at the tool, tau = J^T F`,
-      facts: { robot: robot.name, frame: view.frame, jointUnits: units },
+      facts: { robot: robot.name, frame, jointUnits: units },
       items: [
         {
           name: 'F',
@@ -45,7 +47,7 @@ export function jacobianSheet(what, { robot }, chain, q, view) {
           latex: '\\tau',
           about: joints.map((joint, i) => `${joint} in ${units[i]}`).join(', '),
           labels: joints,
-          values: jointLoads(chain, q, view.wrench, view.frame),
+          values: jointLoads(chain, q, view.wrench, view.frame, T_world_user),
         },
       ],
     };
@@ -58,6 +60,7 @@ export function jacobianSheet(what, { robot }, chain, q, view) {
       q,
       part,
       view.frame,
+      T_world_user,
     );
     const unit = part === 'linear' ? `in ${length}` : 'pure numbers';
     return {
@@ -74,7 +77,7 @@ export function jacobianSheet(what, { robot }, chain, q, view) {
       ],
     };
   }
-  const { geometric, numeric } = jacobiansAt(chain, q, view);
+  const { geometric, numeric } = jacobiansAt(chain, q, view, T_world_user);
   const isGeometric = what === 'geometric';
   const how = isGeometric ? 'by geometry' : `by ${view.method} difference, step ${stepOf(view)} rad`;
   return {

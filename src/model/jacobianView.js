@@ -3,7 +3,7 @@
  *
  * @import { Part } from '../kinematics/measures/homogeneous.js'
  *
- * @typedef {'world' | 'base' | 'tool'} JacobianFrame  whose axes the rows are along; the point is the TCP in all of them
+ * @typedef {'world' | 'base' | 'user' | 'tool'} JacobianFrame  whose axes the rows are along; the point is the TCP in all of them
  * @typedef {'forward' | 'central'} DifferenceMethod
  * @typedef {'poses' | 'kernel'} Quotient  poses: forward kinematics twice, subtracted and divided, as in a book; kernel: as the
  *   page's own kernel does it, which subtracts nothing that is nearly equal

@@ -155,7 +155,10 @@ export function createToolDrag(state, { stage, room, isWide, missing, userFrame 
     hold = null;
     canvas.style.cursor = was.part ? 'grab' : '';
     if (was.hasMoved) was.end();
-    else if (was.part) keys.take(was.part.kind === 'turn' ? 'turn' : 'move');
+    else if (was.part) {
+      const { kind, axis } = was.part;
+      keys.take(kind === 'turn' ? 'turn' : 'move', kind === 'plane' ? axis : null);
+    }
     redraw();
   }
 

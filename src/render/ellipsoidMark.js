@@ -2,12 +2,13 @@
  * The ellipsoid of velocities or of forces at the tool: a veil, the three ellipses in which its axes lie. Its scale is said
  * in the panel. Where the arm has lost a direction it is a disc or a line, and is drawn as one.
  *
- * @import { ArmNow, MarkSet, MarkTools } from './marks.js'
+ * @import { MarkSet, MarkTools } from './marks.js'
  * @import { EllipsoidKind } from '../model/ellipsoid.js'
  */
 import { Group, Mesh, MeshBasicMaterial, SphereGeometry, Vector3 } from 'three';
 import { ellipsoidAt } from '../model/ellipsoid.js';
 import { disposeOf, fatLines, segmentsThrough } from './fatLines.js';
+import { createMarkSet } from './markSet.js';
 
 const VEIL = 0.14;
 const CORNERS = 64;
@@ -33,36 +34,9 @@ const CIRCLES = [0, 1, 2].flatMap((axis) =>
  * @param {MarkTools} tools
  * @returns {MarkSet & { want: (kind: EllipsoidKind | null) => void }}
  */
-export function createEllipsoidMark({ scene, skin }) {
-  /** @type {ArmNow | null} */
-  let arm = null;
-  /** @type {EllipsoidKind | null} */
-  let wanted = null;
-  /** @type {{ group: Group, veil: Mesh, lines: ReturnType<typeof fatLines> } | null} */
-  let drawn = null;
-
-  function clear() {
-    if (!drawn) return;
-    drawn.group.removeFromParent();
-    disposeOf(drawn.veil);
-    disposeOf(drawn.lines);
-    drawn = null;
-  }
-
-  function follow() {
-    if (!arm || !wanted || !drawn) return;
-    const { center, axes, drawn: halves } = ellipsoidAt(arm.chain, arm.posture, wanted);
-    const { group } = drawn;
-    const [x, y, z] = [0, 1, 2].map((k) =>
-      new Vector3().fromArray(axes, 3 * k).multiplyScalar(Math.max(THIN, halves[k])),
-    );
-    group.matrix.makeBasis(x, y, z).setPosition(center[0], center[1], center[2]);
-    group.matrixWorldNeedsUpdate = true;
-  }
-
-  function build() {
-    clear();
-    if (!arm || !wanted) return;
+export const createEllipsoidMark = ({ scene, ...tools }) =>
+  createMarkSet(tools, /** @type {EllipsoidKind | null} */ (null), ({ chain, posture }, wanted, skin) => {
+    if (!wanted) return null;
     const group = new Group();
     group.matrixAutoUpdate = false;
     const material = new MeshBasicMaterial({
@@ -74,25 +48,19 @@ export function createEllipsoidMark({ scene, skin }) {
     veil.frustumCulled = false;
     group.add(veil, lines);
     scene.add(group);
-    drawn = { group, veil, lines };
-    follow();
-  }
-
-  return {
-    show(next) {
-      arm = next;
-      build();
-    },
-    follow,
-    clear,
-    build,
-    setSkin(next) {
-      skin = next;
-      build();
-    },
-    want(kind) {
-      wanted = kind;
-      build();
-    },
-  };
-}
+    return {
+      remove() {
+        group.removeFromParent();
+        disposeOf(veil);
+        disposeOf(lines);
+      },
+      follow() {
+        const { center, axes, drawn: halves } = ellipsoidAt(chain, posture, wanted);
+        const [x, y, z] = [0, 1, 2].map((k) =>
+          new Vector3().fromArray(axes, 3 * k).multiplyScalar(Math.max(THIN, halves[k])),
+        );
+        group.matrix.makeBasis(x, y, z).setPosition(center[0], center[1], center[2]);
+        group.matrixWorldNeedsUpdate = true;
+      },
+    };
+  });

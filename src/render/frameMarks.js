@@ -2,8 +2,9 @@
  * Frames 1 … n as small triads with numbered letters, each where the convention of the table puts it. Frames that share
  * their origin differ in length, so that every arrow has a tip of its own.
  *
- * @import { ArmNow, MarkSet, MarkTools } from './marks.js'
+ * @import { MarkSet, MarkTools } from './marks.js'
  */
+import { createMarkSet } from './markSet.js';
 import { createTriad } from './triad.js';
 
 const ARROW = 0.075; // in sizes of the arm
@@ -13,61 +14,29 @@ const ORDER = 20;
 
 /**
  * @param {MarkTools} tools
- * @returns {MarkSet & { choose: (numbers: readonly number[]) => void }}  `numbers` of the frames to show, from 1
+ * @returns {MarkSet & { want: (numbers: readonly number[]) => void }}  `numbers` of the frames to show, from 1
  */
-export function createFrameMarks({ scene, skin, labels }) {
-  /** @type {ArmNow | null} */
-  let arm = null;
-  /** @type {readonly number[]} */
-  let chosen = [];
-  /** @type {{ number: number, triad: ReturnType<typeof createTriad> }[]} */
-  let shown = [];
-
-  function clear() {
-    for (const { triad } of shown) triad.dispose();
-    shown = [];
-  }
-
-  function build() {
-    clear();
-    if (!arm) return;
-    const { dof } = arm.chain;
-    for (const number of chosen.filter((one) => one >= 1 && one <= dof)) {
-      const style = { width: 2, letters: 'small', letterCase: /** @type {const} */ ('lower'), gap: 3 };
-      const triad = createTriad({ skin, labels, ...style, subscript: String(number), order: ORDER + 2 * (number % 3) });
-      scene.add(triad.group);
-      shown.push({ number, triad });
-    }
-    follow();
-  }
-
-  function follow() {
-    if (!arm) return;
-    const { frames, parts } = arm;
+export const createFrameMarks = ({ scene, labels, ...tools }) =>
+  createMarkSet(tools, /** @type {readonly number[]} */ ([]), ({ chain, frames, parts }, wanted, skin) => {
+    const style = { width: 2, letters: 'small', letterCase: /** @type {const} */ ('lower'), gap: 3 };
     const length = ARROW * parts.size;
+    const shown = wanted
+      .filter((number) => number >= 1 && number <= chain.dof)
+      .map((number) => {
+        const order = ORDER + 2 * (number % 3);
+        const triad = createTriad({ skin, labels, ...style, subscript: String(number), order });
+        scene.add(triad.group);
+        return { number, triad };
+      });
     /** @param {number} i @param {number} k */
     const distance = (i, k) => Math.hypot(...[12, 13, 14].map((at) => frames[16 * i + at] - frames[16 * k + at]));
-    shown.forEach(({ number, triad }, i) => {
-      const below = shown.slice(i + 1).filter((other) => distance(number, other.number) < SAME_PLACE * length).length;
-      triad.show(frames.subarray(16 * number, 16 * number + 16), length * (1 + LONGER * below));
-    });
-  }
-
-  return {
-    show(next) {
-      arm = next;
-      build();
-    },
-    follow,
-    clear,
-    build,
-    setSkin(next) {
-      skin = next;
-      for (const { triad } of shown) triad.setSkin(next);
-    },
-    choose(numbers) {
-      chosen = numbers;
-      build();
-    },
-  };
-}
+    return {
+      remove: () => shown.forEach(({ triad }) => triad.dispose()),
+      follow: () =>
+        shown.forEach(({ number, triad }, i) => {
+          const isNear = (/** @type {number} */ other) => distance(number, other) < SAME_PLACE * length;
+          const below = shown.slice(i + 1).filter((other) => isNear(other.number)).length;
+          triad.show(frames.subarray(16 * number, 16 * number + 16), length * (1 + LONGER * below));
+        }),
+    };
+  });

@@ -18,7 +18,7 @@ import {
 } from 'three';
 import { linkFrames } from '../kinematics/forward.js';
 import { identity } from '../kinematics/pose.js';
-import { standingMarks } from './markSet.js';
+import { createMarkSet } from './markSet.js';
 import { geometryOf } from './meshes.js';
 
 const TINT = 0.13;
@@ -43,7 +43,7 @@ export function createGhostArms(tools) {
   });
   const line = new LineBasicMaterial({ transparent: true, opacity: EDGES, depthWrite: false, ...beside });
 
-  return standingMarks(tools, /** @type {readonly Ghost[]} */ ([]), (arm, wanted, skin) => {
+  return createMarkSet(tools, /** @type {readonly Ghost[]} */ ([]), (arm, wanted, skin) => {
     for (const material of [tint, line]) material.color.set(skin.accent);
     tint.emissive.set(skin.accent);
     const group = new Group();
@@ -53,12 +53,14 @@ export function createGhostArms(tools) {
       .map((ghost, i) => addGhost(group, arm, ghost, ORDER + 3 * i));
     scene.add(group);
     group.updateMatrixWorld(true);
-    return () => {
-      group.traverse((object) => {
-        if (object instanceof Mesh || object instanceof LineSegments) object.geometry.dispose();
-      });
-      group.removeFromParent();
-      for (const name of names) name.remove();
+    return {
+      remove() {
+        group.traverse((object) => {
+          if (object instanceof Mesh || object instanceof LineSegments) object.geometry.dispose();
+        });
+        group.removeFromParent();
+        for (const name of names) name.remove();
+      },
     };
   });
 

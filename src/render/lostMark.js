@@ -2,11 +2,13 @@
  * The direction that a singularity takes, at the tool: a double arrow along which it cannot move, a ring about the axis about
  * which it cannot turn, and a word about each.
  *
- * @import { MarkSet, MarkTools, ArmNow } from './marks.js'
+ * @import { MarkSet, MarkTools } from './marks.js'
+ * @import { Skin } from './skins.js'
  */
 import { Group, Vector3 } from 'three';
 import { lostDirectionAt } from '../model/lostDirection.js';
 import { disposeOf, fatLines, segmentsThrough } from './fatLines.js';
+import { createMarkSet } from './markSet.js';
 
 const HALF = 0.17; // in sizes of the arm
 const HEAD = { length: 0.035, width: 0.014 };
@@ -20,58 +22,43 @@ const ORDER = 47;
  * @param {MarkTools & { text: { along: string, about: string } }} tools
  * @returns {MarkSet & { want: (wanted: LostWanted) => void }}
  */
-export function createLostMark({ scene, skin, labels, text }) {
-  /** @type {ArmNow | null} */
-  let arm = null;
-  /** @type {LostWanted} */
-  let wanted = null;
-  /** @type {(() => void)[]} */
-  let remove = [];
-
-  function clear() {
-    for (const each of remove) each();
-    remove = [];
-  }
-
-  function build() {
-    clear();
-    if (!arm || !wanted) return;
-    const { chain, posture, T_base_tcp, parts } = arm;
-    const lost = lostDirectionAt(chain, posture, wanted === 'stopped');
-    if (!lost) return;
-    const at = new Vector3().fromArray(T_base_tcp, 12);
-    if (lost.along) draw(arrow(at, new Vector3(...lost.along), parts.size), at, text.along);
-    if (lost.about) draw(ring(at, new Vector3(...lost.about), parts.size), at, text.about);
-  }
-
-  /** @param {{ segments: number[], tip: Vector3 }} shape @param {Vector3} from @param {string} word */
-  function draw({ segments, tip }, from, word) {
+export function createLostMark({ scene, labels, text, ...tools }) {
+  /** @param {{ segments: number[], tip: Vector3 }} shape @param {Vector3} from @param {string} word @param {Skin} skin */
+  function draw({ segments, tip }, from, word, skin) {
     const lines = fatLines(segments, { color: skin.bad, width: 3, order: ORDER });
     const group = new Group();
     group.add(lines);
     scene.add(group);
     const label = Object.assign(labels.add('miss'), { at: tip, from, gap: 8 });
     label.write(word);
-    remove.push(() => (group.removeFromParent(), disposeOf(lines), label.remove()));
+    return () => (group.removeFromParent(), disposeOf(lines), label.remove());
   }
 
-  return {
-    show(next) {
-      arm = next;
-      build();
+  return createMarkSet(
+    tools,
+    /** @type {LostWanted} */ (null),
+    ({ chain, posture, T_base_tcp, parts }, wanted, skin) => {
+      if (!wanted) return null;
+      /** @type {(() => void)[]} */
+      let drawn = [];
+      function remove() {
+        for (const each of drawn) each();
+        drawn = [];
+      }
+      return {
+        remove,
+        /** Where the arm stands now, another direction may be lost, or none. */
+        follow() {
+          remove();
+          const lost = lostDirectionAt(chain, posture, wanted === 'stopped');
+          if (!lost) return;
+          const at = new Vector3().fromArray(T_base_tcp, 12);
+          if (lost.along) drawn.push(draw(arrow(at, new Vector3(...lost.along), parts.size), at, text.along, skin));
+          if (lost.about) drawn.push(draw(ring(at, new Vector3(...lost.about), parts.size), at, text.about, skin));
+        },
+      };
     },
-    follow: build,
-    clear,
-    build,
-    setSkin(next) {
-      skin = next;
-      build();
-    },
-    want(next) {
-      wanted = next;
-      build();
-    },
-  };
+  );
 }
 
 /** Two unit vectors square to one. @param {Vector3} axis */

@@ -125,7 +125,7 @@ export function createRobotView({ store, addView, derived, clock }, options) {
       const numbers = shownFrames(session, doc.robot.joints.length);
       stage.showEnds({ base: numbers.includes(0), tool: numbers.includes('tool') });
       const inner = numbers.filter((one) => typeof one === 'number').filter((one) => one > 0);
-      withFrames(inner.length > 0, (frames) => frames.choose(inner));
+      withFrames(inner.length > 0, (frames) => frames.want(inner));
     },
   );
   const withDimension = whenWanted(async () => {

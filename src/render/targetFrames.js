@@ -5,7 +5,7 @@
  * @import { Pose } from '../kinematics/pose.js'
  */
 import { Vector3 } from 'three';
-import { standingMarks } from './markSet.js';
+import { createMarkSet } from './markSet.js';
 import { createTriad } from './triad.js';
 
 const ARROW = 0.035; // in sizes of the arm
@@ -17,7 +17,7 @@ const ORDER = 18;
 export function createTargetFrames(tools) {
   const { scene, labels } = tools;
   const style = /** @type {const} */ ({ width: 1.5, letters: 'hidden', letterCase: 'upper', gap: 3, order: ORDER });
-  return standingMarks(tools, /** @type {readonly NamedFrame[]} */ ([]), (arm, wanted, skin) => {
+  return createMarkSet(tools, /** @type {readonly NamedFrame[]} */ ([]), (arm, wanted, skin) => {
     const drawn = wanted.map(({ id, T_base_target }) => {
       const triad = createTriad({ skin, labels, ...style });
       triad.show(T_base_target, ARROW * arm.parts.size);
@@ -30,11 +30,13 @@ export function createTargetFrames(tools) {
       scene.add(triad.group);
       return { triad, name };
     });
-    return () => {
-      for (const { triad, name } of drawn) {
-        triad.dispose();
-        name.remove();
-      }
+    return {
+      remove() {
+        for (const { triad, name } of drawn) {
+          triad.dispose();
+          name.remove();
+        }
+      },
     };
   });
 }

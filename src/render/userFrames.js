@@ -5,7 +5,7 @@
  * @import { Pose } from '../kinematics/pose.js'
  */
 import { Vector3 } from 'three';
-import { standingMarks } from './markSet.js';
+import { createMarkSet } from './markSet.js';
 import { createTriad } from './triad.js';
 
 const ARROW = { active: 0.1, idle: 0.06 }; // in sizes of the arm
@@ -18,7 +18,7 @@ const ORDER = 22;
  * @returns {MarkSet & { want: (frames: readonly UserFrame[]) => void }}
  */
 export const createUserFrames = (tools) =>
-  standingMarks(tools, /** @type {readonly UserFrame[]} */ ([]), ({ parts }, frames, skin) => {
+  createMarkSet(tools, /** @type {readonly UserFrame[]} */ ([]), ({ parts }, frames, skin) => {
     const { scene, labels } = tools;
     const remove = frames.map(({ id, T_world_frame, isActive }) => {
       const triad = createTriad({
@@ -37,5 +37,5 @@ export const createUserFrames = (tools) =>
       scene.add(triad.group);
       return () => (triad.dispose(), name.remove());
     });
-    return () => remove.forEach((each) => each());
+    return { remove: () => remove.forEach((each) => each()) };
   });

@@ -96,10 +96,10 @@ export function createHandleBar({ store, addView, announce }, host, { isWide, po
 
   let said = ''; // of what stands in the way: once, however the numbers change
   addView(
-    together(({ doc, session }) => [doc.robot, session.drag, session.toolKeys]),
-    ([robot, drag, toolKeys]) => {
+    together(({ doc, session }) => [doc.robot, session.drag, session.toolKeys, session.handle.across]),
+    ([robot, drag, toolKeys, across]) => {
       const hindrance = drag?.hindrance;
-      const text = hindrance ? hindranceInWords(robot, hindrance) : toolKeys ? words.takenShort[toolKeys] : '';
+      const text = hindrance ? hindranceInWords(robot, hindrance) : toolKeys ? words.takenShort[toolKeys](across) : '';
       line.hidden = text === '';
       line.classList.toggle('is-stopped', Boolean(hindrance));
       fill(line, hindrance && icon('slash'), h('span', {}, text));
@@ -111,9 +111,9 @@ export function createHandleBar({ store, addView, announce }, host, { isWide, po
   /** @type {Session['toolKeys']} */
   let taken = null;
   addView(
-    together(({ session }) => [session.toolKeys, session.handle.axes]),
-    ([toolKeys, axes]) => {
-      if (toolKeys) announce(words.taken[toolKeys](words.inAxes[axes]));
+    together(({ session }) => [session.toolKeys, session.handle.axes, session.handle.across]),
+    ([toolKeys, axes, across]) => {
+      if (toolKeys) announce(words.taken[toolKeys](words.inAxes[axes], across));
       else if (taken) announce(words.givenBack);
       taken = toolKeys;
     },

@@ -30,7 +30,8 @@ export function createJacobianCopy({ store, derived, announce, messages }) {
   async function carryOut(what) {
     const { doc, session } = store.state;
     const { format } = numbers();
-    const sheet = jacobianSheet(what, doc, derived.chain(doc), derived.posture(doc), session.jacobian);
+    const [chain, q, user] = [derived.chain(doc), derived.posture(doc), derived.user(doc)];
+    const sheet = jacobianSheet(what, doc, chain, q, session.jacobian, user);
     const isDone = await copyText(writeCopy(sheet, format));
     if (isDone) announce(JACOBIAN.copy.copied(JACOBIAN.copy.what[what], NUMBERS.format[format]));
     else messages.warn(TEXT.pose.copyFailed);

@@ -37,7 +37,7 @@ const ROUNDING = 1e-14;
  */
 export function createJacobianPanel(page, host) {
   const { store, addView, derived, clock } = page;
-  const frame = segments(JACOBIAN.frame.label, ['world', 'base', 'tool'], JACOBIAN.frame.name, (value) =>
+  const frame = segments(JACOBIAN.frame.label, ['world', 'base', 'user', 'tool'], JACOBIAN.frame.name, (value) =>
     store.dispatch({ type: 'show', change: { jacobian: { ...store.state.session.jacobian, frame: value } } }),
   );
   const about = h('p', { class: 'sm soft' });
@@ -102,17 +102,25 @@ export function createJacobianPanel(page, host) {
   }
 
   addView(
-    together(({ doc, session }) => [doc.robot, doc.posture, session.jacobian, session.tab === 'jacobian']),
-    ([robot, , view, isOpen]) => {
+    together(({ doc, session }) => [
+      doc.robot,
+      doc.posture,
+      session.jacobian,
+      session.tab === 'jacobian',
+      doc.activeUser,
+      derived.user(doc),
+    ]),
+    ([robot, , view, isOpen, activeUser, T_world_user]) => {
       if (!isOpen) return;
       const { doc } = store.state;
       const chain = derived.chain(doc);
       const q = derived.posture(doc);
       frame.draw(view.frame);
-      about.textContent = JACOBIAN.about(JACOBIAN.frame.seen[view.frame]);
+      frame.offer('user', activeUser !== undefined);
+      about.textContent = JACOBIAN.about(JACOBIAN.frame.seen[view.frame](activeUser));
       const slides = robot.joints.map(isSliding);
       units.textContent = JACOBIAN.units(unitSign(robot.units.length), slides.includes(false), slides.includes(true));
-      const found = jacobiansAt(chain, q, view);
+      const found = jacobiansAt(chain, q, view, T_world_user);
       const [G, N] = [found.geometric, found.numeric].map((J) => rowsInDocument(robot, J));
       const rounding = ROUNDING * Math.max(1, ...G.flat().map(Math.abs));
       /** @param {number} value @param {number} i @param {number} k */

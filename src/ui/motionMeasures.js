@@ -120,13 +120,13 @@ export function createMotionMeasures({ store, derived }) {
       const { robot } = doc;
       const chain = derived.chain(doc);
       const rows = partOf(chain, view.part);
-      const found = dexterityNumbers(robot, chain, q, rows, view.frame);
+      const found = dexterityNumbers(robot, chain, q, rows, view.frame, derived.user(doc));
       part.draw(rows);
       const { length } = robot.units;
       scale.textContent = WORDS.scale(withUnit(poseNumber(found.lengthScale, length), length));
       note.textContent = WORDS.scaleNote[rows];
       drawValues(robot, found);
-      drawWorst(robot, found.worst, JACOBIAN.frame.seen[view.frame]);
+      drawWorst(robot, found.worst, JACOBIAN.frame.seen[view.frame](doc.activeUser));
       kind.draw(view.ellipsoid ?? 'off');
       drawn.hidden = view.ellipsoid === null;
       if (view.ellipsoid) {

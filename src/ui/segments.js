@@ -16,6 +16,10 @@ export function segments(label, values, names, onChoose) {
   });
   return {
     element: h('div', { class: 'seg', role: 'group', 'aria-label': label }, buttons),
+    /** One that there is at times only. @param {Value} value @param {boolean} isThere */
+    offer(value, isThere) {
+      buttons[values.indexOf(value)].hidden = !isThere;
+    },
     /** @param {Value} chosen */
     draw(chosen) {
       buttons.forEach((button, i) => button.setAttribute('aria-pressed', String(values[i] === chosen)));

@@ -64,8 +64,9 @@ export function createStaticsForm({ store, derived }) {
     ),
     /** @param {Float64Array} q @param {JacobianView} now */
     draw(q, { wrench, frame }) {
-      const { robot } = store.state.doc;
-      const axes = JACOBIAN.frame.seen[frame];
+      const { doc } = store.state;
+      const { robot } = doc;
+      const axes = JACOBIAN.frame.seen[frame](doc.activeUser);
       fields.forEach((input, i) => {
         input.setAttribute('aria-label', WORDS.field(WORDS.names[i], axes));
         const isBusy = input === document.activeElement || input.getAttribute('aria-invalid') === 'true';
@@ -74,7 +75,7 @@ export function createStaticsForm({ store, derived }) {
       place.textContent = WORDS.along(axes);
       fill(
         loads,
-        jointLoads(derived.chain(store.state.doc), q, wrench, frame).map((value, i) =>
+        jointLoads(derived.chain(doc), q, wrench, frame, derived.user(doc)).map((value, i) =>
           h(
             'div',
             {},

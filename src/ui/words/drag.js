@@ -1,5 +1,8 @@
 /** The handle on the tool, and what stands in its way. */
 
+/** The plane of arrow keys, by the axis across it. */
+const PLANE = ['YZ', 'XZ', 'XY'];
+
 export const DRAG = {
   handle: 'Handle on the tool',
   bar: 'Dragging the tool',
@@ -17,14 +20,17 @@ export const DRAG = {
   lost: { along: 'no motion this way', about: 'no turn about this' },
   part: (/** @type {string} */ by) => `With its few joints the arm keeps the place; the orientation is ${by} off.`,
   taken: {
-    move: (/** @type {string} */ axes) =>
-      `Tool taken. Arrow keys move it along X and Y of the ${axes} axes, Page Up and Page Down along Z. R turns it instead, Esc gives it back.`,
+    /** @param {string} axes @param {number} across */
+    move: (axes, across) =>
+      `Tool taken. Arrow keys move it along ${PLANE[across][0]} and ${PLANE[across][1]} of the ${axes} axes, two at once in their plane, Page Up and Page Down along ${'XYZ'[across]}. P takes the next plane, R turns it instead, Esc gives it back.`,
     turn: (/** @type {string} */ axes) =>
       `Tool taken. Arrow keys turn it about X and Y of the ${axes} axes, Page Up and Page Down about Z. R moves it instead, Esc gives it back.`,
   },
   takenShort: {
-    move: 'Arrow keys X Y, Page keys Z · R turns · Esc gives back',
-    turn: 'Turning: arrow keys X Y, Page keys Z · R moves · Esc gives back',
+    /** @param {number} across */
+    move: (across) =>
+      `Arrow keys ${PLANE[across].split('').join(' ')}, Page keys ${'XYZ'[across]} · P next plane · R turns · Esc gives back`,
+    turn: () => 'Turning: arrow keys X Y, Page keys Z · R moves · Esc gives back',
   },
   givenBack: 'Tool given back.',
 };

@@ -39,7 +39,10 @@ const PLACES = [
       [[['←'], ['→'], ['↑'], ['↓']], 'Go round the arm'],
       [[['+'], ['−']], 'Nearer, farther'],
       [[['F']], 'Fit the arm into the view'],
-      [[['T'], ['Enter']], 'Take the tool: arrows and Page keys then move it, R turns it, Esc gives it back'],
+      [
+        [['T'], ['Enter']],
+        'Take the tool: arrows and Page keys then move it, P in another plane, R turns it, Esc gives it back',
+      ],
     ],
   },
 ];

@@ -11,8 +11,13 @@ export const JACOBIAN = {
   title: 'Jacobian',
   frame: {
     label: 'Along the axes of',
-    name: { world: 'World', base: 'Base', tool: 'Tool' },
-    seen: { world: 'world axes', base: 'base axes', tool: 'tool axes' },
+    name: { world: 'World', base: 'Base', user: 'User', tool: 'Tool' },
+    seen: {
+      world: () => 'world axes',
+      base: () => 'base axes',
+      user: (/** @type {string | undefined} */ id) => `the axes of the user frame ${id}`,
+      tool: () => 'tool axes',
+    },
   },
   about: (/** @type {string} */ axes) => `Joint rates to the twist of the tool point, along ${axes}.`,
   geometry: 'By geometry',

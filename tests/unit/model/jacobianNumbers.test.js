@@ -4,6 +4,7 @@
  */
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
+import { identity } from '../../../src/kinematics/pose.js';
 import { createChain } from '../../../src/kinematics/chain.js';
 import { distanceToSingularity } from '../../../src/kinematics/singularity.js';
 import { compilePosture, compileRobot } from '../../../src/model/compile.js';
@@ -26,7 +27,10 @@ import { anyChain, oracleForward, sizeOf } from '../kinematics/oracle.js';
  * @import { Matrix } from '../kinematics/oracle.js'
  */
 
-const FRAMES = /** @type {readonly JacobianFrame[]} */ (['world', 'base', 'tool']);
+const FRAMES = /** @type {readonly JacobianFrame[]} */ (['world', 'base', 'user', 'tool']);
+
+/** Its axes are the world’s, in another order and one of them turned round. */
+const USER = Float64Array.of(0, 1, 0, 0, 0, 0, -1, 0, -1, 0, 0, 0, 0.3, -0.2, 0.1, 1);
 
 const ROBOTS = {
   'Puma 560': LIBRARY.puma560,
@@ -62,7 +66,8 @@ function byOracle(description, q, frame) {
     [0, 0, 1],
   ];
   const baseAxes = base ? [0, 1, 2].map((i) => [0, 1, 2].map((j) => base[4 * j + i])) : world;
-  const axes = { world, base: baseAxes, tool: T }[frame];
+  const user = [0, 1, 2].map((i) => [0, 1, 2].map((j) => USER[4 * j + i]));
+  const axes = { world, base: baseAxes, user, tool: T }[frame];
   return q.map((_, k) => {
     const at = (/** @type {number} */ by) =>
       oracleForward(
@@ -104,7 +109,7 @@ test('in every frame, both Jacobians are what the oracle’s forward kinematics 
       ({ description, q }, frame, quotient) => {
         const chain = createChain(description);
         const view = { ...FIRST_JACOBIAN, frame, quotient: /** @type {'poses' | 'kernel'} */ (quotient) };
-        const { geometric, numeric } = jacobiansAt(chain, q, { ...view, method: 'central' });
+        const { geometric, numeric } = jacobiansAt(chain, q, { ...view, method: 'central' }, USER);
         const size = sizeOf(description);
         // A slide's step is a part of the arm's length: next to nothing for an arm of a nanometre, and then rounding counts.
         const [x, y, z] = oracleForward(description, [...q]).tcp.map((row) => row[3]);
@@ -208,7 +213,7 @@ test('static torques do the work that the force does, in any frame', () => {
       fc.constantFrom(...FRAMES),
       fc.array(fc.integer({ min: -50, max: 50 }), { minLength: 6, maxLength: 6 }),
       ({ description, q }, frame, wrench) => {
-        const loads = jointLoads(createChain(description), q, wrench, frame);
+        const loads = jointLoads(createChain(description), q, wrench, frame, USER);
         byOracle(description, [...q], frame).forEach((column, k) => {
           const work = column.reduce((sum, value, i) => sum + value * wrench[i], 0);
           expect(Math.abs(loads[k] - work)).toBeLessThan(1e-5 * sizeOf(description));
@@ -310,7 +315,7 @@ test('what is copied is read again as the same numbers', () => {
   const q = compilePosture(robot, doc.posture);
   const view = { ...FIRST_JACOBIAN, wrench: [1, 2, 3, 4, 5, 6] };
   const read = (/** @type {'geometric' | 'numeric' | 'measures' | 'statics'} */ what) =>
-    JSON.parse(copyText(jacobianSheet(what, doc, chain, q, view), 'json'));
+    JSON.parse(copyText(jacobianSheet(what, doc, chain, q, view, identity()), 'json'));
   expect(read('geometric').J).toEqual(
     rowsInDocument(robot, jacobiansAt(chain, q, view).geometric).map((row) => row.map((value) => value + 0)),
   );
@@ -318,4 +323,7 @@ test('what is copied is read again as the same numbers', () => {
   expect(read('statics').tau.values).toEqual(jointLoads(chain, q, view.wrench, 'base').map((value) => value + 0));
   expect(read('measures').sigma.values).toHaveLength(6);
   expect(partOf(chain, null)).toBe('full');
+  const inUser = { ...view, frame: /** @type {const} */ ('user') };
+  const text = copyText(jacobianSheet('geometric', { ...doc, activeUser: 'table' }, chain, q, inUser, USER), 'text');
+  expect(text).toContain('along the axes of the user frame table');
 });

@@ -287,8 +287,8 @@ describe('a pointer in the picture', () => {
 
 test('keys step along the axes, coarse with Shift and fine with Alt or Ctrl', () => {
   const key = (/** @type {string} */ name, more = {}) => ({ key: name, shiftKey: false, altKey: false, ctrlKey: false, metaKey: false, ...more }); // prettier-ignore
-  expect(toolStep(key('ArrowLeft'), 'move')).toEqual({ axis: 0, steps: -1 });
-  expect(toolStep(key('PageUp', { shiftKey: true }), 'turn')).toEqual({ axis: 2, steps: 5 });
-  expect(toolStep(key('ArrowUp', { altKey: true }), 'move')).toEqual({ axis: 1, steps: 0.1 });
-  expect(toolStep(key('a'), 'move')).toBeNull();
+  expect(toolStep(key('ArrowLeft'), 'move', 2)).toEqual({ axis: 0, steps: -1 });
+  expect(toolStep(key('PageUp', { shiftKey: true }), 'turn', 0)).toEqual({ axis: 2, steps: 5 });
+  expect(toolStep(key('ArrowUp', { altKey: true }), 'move', 2)).toEqual({ axis: 1, steps: 0.1 });
+  expect(toolStep(key('a'), 'move', 2)).toBeNull();
 });

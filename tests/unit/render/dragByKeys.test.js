@@ -38,9 +38,14 @@ function taken() {
     ...{ canvas, room: canvas, run, isWide: () => true, isHeld: () => false, userFrame: () => null },
     onChange: () => void changes++,
   });
-  const press = (/** @type {string} */ key) =>
+  const hold = (/** @type {string} */ key) =>
     heard.keydown({ key, target: canvas, preventDefault() {}, stopPropagation() {} });
-  return { keys, press, goals, from: derived.tcp(doc), changes: () => changes };
+  const release = (/** @type {string} */ key) => heard.keyup({ key });
+  const press = (/** @type {string} */ key) => (hold(key), release(key));
+  /** Metres from where the tool was taken to what was asked for last. */
+  const way = () => [12, 13, 14].map((k) => Number(((goals.at(-1)?.[k] ?? NaN) - from[k]).toFixed(9)));
+  const from = derived.tcp(doc);
+  return { keys, press, hold, release, goals, way, from, changes: () => changes };
 }
 
 test.each(
@@ -68,4 +73,36 @@ test.each(
   expect(changes()).toBeGreaterThan(before);
   press('Escape');
   expect(keys.lit).toBeNull();
+});
+
+test('two arrows that are held move the tool in their plane, as a drag of the small plane does', () => {
+  const { keys, press, hold, release, way } = taken();
+  press('t');
+  hold('ArrowRight');
+  hold('ArrowUp');
+  expect([way(), keys.lit]).toEqual([[0.01, 0.01, 0], { kind: 'plane', axis: 2 }]);
+  release('ArrowRight');
+  hold('ArrowUp');
+  expect([way(), keys.lit]).toEqual([[0, 0.01, 0], { kind: 'move', axis: 1 }]);
+  hold('PageDown');
+  expect([way(), keys.lit]).toEqual([[0, 0.01, -0.01], { kind: 'plane', axis: 0 }]);
+  hold('ArrowDown'); // the later of two that are against each other
+  expect(way()).toEqual([0, -0.01, -0.01]);
+});
+
+test('P takes the next plane: its two axes have the arrows, and the one across it the page keys', () => {
+  const { keys, press, way } = taken();
+  press('t');
+  const seen = ['XY', 'YZ', 'XZ', 'XY'].map((plane, i) => {
+    if (i > 0) {
+      press('p');
+      expect(keys.lit).toEqual({ kind: 'plane', axis: [0, 1, 2].find((axis) => !plane.includes('XYZ'[axis])) });
+    }
+    return ['ArrowRight', 'ArrowUp', 'PageUp'].map((key) => (press(key), 'XYZ'[way().indexOf(0.01)])).join('');
+  });
+  expect(seen).toEqual(['XYZ', 'YZX', 'XZY', 'XYZ']);
+  press('p');
+  press('r'); // turns stay about X, Y and Z
+  press('ArrowRight');
+  expect(keys.lit).toEqual({ kind: 'turn', axis: 0 });
 });

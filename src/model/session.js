@@ -12,6 +12,7 @@
  * @import { JogStop } from './jog.js'
  * @import { JogChoices } from './jogChoices.js'
  * @import { NumbersView } from './numbersView.js'
+ * @import { Playback } from './player.js'
  * @import { ToolKeeps } from './toolChange.js'
  *
  * @typedef {'robot' | 'program' | 'code' | 'jacobian'} Tab
@@ -52,6 +53,7 @@
  * @property {JacobianView} jacobian  which one is shown, and how
  * @property {ToolKeeps} toolKeeps  what stays where it is when another tool is chosen
  * @property {NumbersView} numbers  how they are shown and copied
+ * @property {Playback | null} playback  of a motion program; null: none has been played or looked at
  * @property {number} edition   counts how often the document was exchanged for another (opened, undone), not edited
  *
  * @typedef {History & { readonly session: Session }} AppState
@@ -60,7 +62,8 @@
  *
  * @typedef {(Command & { gesture?: string })
  *   | { type: 'undo' } | { type: 'redo' } | { type: 'end-gesture' } | { type: 'cancel-gesture' }
- *   | { type: 'show', change: Partial<Session> }} Action
+ *   | { type: 'stand', posture: readonly number[] }
+ *   | { type: 'show', change: Partial<Session> }} Action  stand: the arm is put there by playing a program, which is no step to undo
  */
 import { applyCommand } from './commands.js';
 import { deepFreeze } from './freeze.js';
@@ -70,7 +73,7 @@ import { refusal } from './refusals.js';
 import { FIRST_HANDLE } from './handleAxes.js';
 import { fitUserFrame } from './userAxes.js';
 import { FIRST_NUMBERS, fitNumbers } from './numbersView.js';
-import { cancelGesture, endGesture, record, redo, startHistory, undo } from './history.js';
+import { cancelGesture, endGesture, record, redo, stand, startHistory, undo } from './history.js';
 
 /** @type {Session} */
 const FRESH = {
@@ -97,6 +100,7 @@ const FRESH = {
   jacobian: FIRST_JACOBIAN,
   toolKeeps: 'flange',
   numbers: FIRST_NUMBERS,
+  playback: null,
   edition: 0,
 };
 
@@ -120,13 +124,17 @@ export function reduce(state, action) {
       return settle(state, history, endGesture(history));
     case 'cancel-gesture':
       return settle(state, history, cancelGesture(history));
+    case 'stand': {
+      const { posture } = action;
+      return settle(state, history, stand(history, carryOut(state.doc, { type: 'set-posture', posture })));
+    }
     case 'show': {
       const keys = /** @type {(keyof Session)[]} */ (Object.keys(action.change));
       if (keys.every((key) => Object.is(session[key], action.change[key]))) return state;
       return { ...state, session: { ...session, ...action.change } };
     }
     case 'replace-document':
-      return exchanged(settle(state, history, record(history, carryOut(state.doc, action))), state);
+      return unplayed(exchanged(settle(state, history, record(history, carryOut(state.doc, action))), state), state);
     default:
       return settle(state, history, record(history, carryOut(groundOf(state, action.gesture), action), action.gesture));
   }
@@ -156,6 +164,10 @@ function settle(state, history, next) {
     session: sameShape ? { ...session, answer: null, ghost: null } : { ...FRESH, ...kept, openJoint, numbers },
   };
 }
+
+/** Another document's programs have been played by nobody. @param {AppState} state @param {AppState} before @returns {AppState} */
+const unplayed = (state, before) =>
+  state === before ? before : { ...state, session: { ...state.session, playback: null } };
 
 /** @param {AppState} state @param {AppState} before @returns {AppState} */
 function exchanged(state, before) {

@@ -1,5 +1,5 @@
 /**
- * Where the tool has been since its trace was begun. What a hand or the clock moves is one line on; what puts the arm
+ * Where the tool has been since its trace was begun. What a hand, the clock or a program moves is one line on; what puts the arm
  * elsewhere at once (home, undo, a script) begins another stroke, for the tool has not been between.
  *
  * The trace takes so much memory and no more: points that lie closer than a thousandth of the reach are one, and when there
@@ -192,7 +192,7 @@ function recordTrace({ store, derived }) {
       now = { trace: createTrace(chain, q), order: session.trace, chain, q };
       return;
     }
-    if (q !== now.q) now.trace.go(now.q, q, gesture !== null);
+    if (q !== now.q) now.trace.go(now.q, q, gesture !== null || session.playback?.isPlaying === true);
     Object.assign(now, { chain, q });
   }
   look();

@@ -4,6 +4,7 @@
  * @import { Doc } from '../model/document.js'
  * @import { AppState } from '../model/session.js'
  */
+import { recorded } from '../model/history.js';
 import { whatChanged } from '../model/whatChanged.js';
 import { TEXT } from './strings.js';
 import { STEPS } from './words/steps.js';
@@ -11,9 +12,10 @@ import { STEPS } from './words/steps.js';
 /** @typedef {'undo' | 'redo'} Step */
 
 /** @param {AppState} state @param {Step} step @returns {string | null} null: there is nothing to undo or redo */
-export function stepName({ past, doc, future }, step) {
-  const other = step === 'undo' ? past.at(-1) : future[0];
+export function stepName(state, step) {
+  const other = step === 'undo' ? state.past.at(-1) : state.future[0];
   if (!other) return null;
+  const doc = recorded(state);
   return step === 'undo' ? changeName(other, doc) : changeName(doc, other);
 }
 

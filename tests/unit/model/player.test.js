@@ -14,13 +14,17 @@ import {
 } from '../../../src/model/player.js';
 import { SEED, runs } from '../../helpers/property.js';
 
+/** @typedef {import('../../../src/motion/plan.js').MotionPart} MotionPart */
+/** @typedef {import('../../../src/model/player.js').Playback} Playback */
+/** @typedef {(playback: Playback) => Playback} Step */
+
 const first = firstPlayback('program_1', [0, 0]);
 
 /** @param {...[number, number]} spans */
 const plan = (...spans) =>
   /** @type {import('../../../src/motion/plan.js').MotionPlan} */ ({
     duration: spans.at(-1)?.[1] ?? 0,
-    parts: spans.map(([begin, end], move) => /** @type {any} */ ({ move, begin, end })),
+    parts: spans.map(([begin, end], move) => /** @type {MotionPart} */ ({ move, begin, end })),
     start: new Float64Array(2),
     refused: null,
   });
@@ -63,17 +67,22 @@ describe('playing', () => {
   });
 
   test('whatever is pressed, time stays within the program', () => {
+    const marks = [0, 2, 2.5, 6];
+    /** @type {(least: number, most: number, step: (value: number) => Step) => fc.Arbitrary<Step>} */
+    const by = (min, max, step) => fc.double({ min, max, noNaN: true }).map(step);
+    /** @type {readonly Step[]} */
+    const presses = [
+      (p) => play(p, 6),
+      (p) => toNext(p, marks),
+      (p) => toPrevious(p, marks),
+      (p) => ({ ...p, isLoop: !p.isLoop }),
+      pause,
+    ];
     const step = fc.oneof(
-      fc.double({ min: -1, max: 10, noNaN: true }).map((dt) => (/** @type {any} */ p) => after(p, dt, 6)),
-      fc.double({ min: -1e9, max: 1e9, noNaN: true }).map((t) => (/** @type {any} */ p) => scrub(p, t, 6)),
-      fc.constantFrom(
-        (/** @type {any} */ p) => play(p, 6),
-        (/** @type {any} */ p) => toNext(p, [0, 2, 2.5, 6]),
-        (/** @type {any} */ p) => toPrevious(p, [0, 2, 2.5, 6]),
-        (/** @type {any} */ p) => ({ ...p, isLoop: !p.isLoop }),
-        pause,
-      ),
-      fc.double({ min: 0.001, max: 100, noNaN: true }).map((speed) => (/** @type {any} */ p) => atSpeed(p, speed)),
+      by(-1, 10, (seconds) => (p) => after(p, seconds, 6)),
+      by(-1e9, 1e9, (time) => (p) => scrub(p, time, 6)),
+      by(0.001, 100, (speed) => (p) => atSpeed(p, speed)),
+      fc.constantFrom(...presses),
     );
     fc.assert(
       fc.property(fc.array(step, { maxLength: 60 }), (steps) => {

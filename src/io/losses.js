@@ -79,7 +79,7 @@ function tableLosses({ format, table }, { robot: { joints, convention, units } }
 
 /** What stands beside the robot. @param {Room} room @param {Doc} doc @returns {Issue[]} */
 function contentLosses({ format, info }, doc) {
-  const { robot, posture, postures, frames, activeTool, targets, programs, extensions } = doc;
+  const { robot, posture, postures, frames, activeTool, targets, motionPrograms, programs, extensions } = doc;
   const noPlace = (/** @type {string} */ what, /** @type {string} */ path) =>
     fileIssue('not-kept', `${format} has no place for ${what}.`, { path });
   const home = homePosture({ ...robot, joints: robot.joints.map((joint) => ({ ...joint, home: undefined })) });
@@ -97,6 +97,10 @@ function contentLosses({ format, info }, doc) {
     issues.push(noPlace(`the name of the active tool, ${shownText(activeTool)}; its pose is kept`, 'activeTool'));
   }
   if (targets.length > 0) issues.push(noPlace(named(targets, 'target'), 'targets'));
+  if (motionPrograms.length > 0) {
+    const names = motionPrograms.map(({ name }) => ({ id: name }));
+    issues.push(noPlace(named(names, 'motion program'), 'motionPrograms'));
+  }
   if (programs.length > 0) issues.push(noPlace(named(programs, 'program'), 'programs'));
   if (extensions.length > 0) {
     issues.push(noPlace(`${counted(extensions.length, 'element')} of other programs`, 'extensions'));

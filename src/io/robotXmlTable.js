@@ -141,6 +141,68 @@ const POSTURE = element('posture', {
   attributes: [required('id', types.ID), required('q', types.JOINT_VALUES)],
 });
 
+/**
+ * Where a move goes, or what it goes past: all of it attributes, so that a step is one element.
+ * @param {'target' | 'via'} at
+ * @param {(name: string) => string} named
+ */
+const stepTarget = (at, named) => [
+  optional(named('q'), types.JOINT_VALUES, { at: `${at}.values` }),
+  optional(named('target'), types.ID, { at: `${at}.id` }),
+  optional(named('xyz'), types.VECTOR_3, { at: `${at}.xyz` }),
+  optional(named('rpy'), types.VECTOR_3, { at: `${at}.rpy` }),
+  optional(named('quat_xyzw'), types.QUATERNION, { at: `${at}.quaternion` }),
+  optional(named('configuration'), LABEL, { at: `${at}.configuration` }),
+];
+const TARGET_KIND = types.choice(['posture', 'target', 'pose']);
+const TO = [required('to', TARGET_KIND, 'target.kind'), ...stepTarget('target', (name) => name)];
+const VIA = [
+  required('via', TARGET_KIND, 'via.kind'),
+  ...stepTarget('via', (name) => `via${name[0].toUpperCase()}${name.slice(1)}`),
+];
+const MOVE = [
+  required('speed', types.POSITIVE),
+  required('speedUnit', types.choice(rules.SPEED_UNITS)),
+  required('acceleration', types.POSITIVE),
+  required('ending', types.choice(['fine', 'percent', 'distance']), 'ending.kind'),
+  optional('endingValue', types.NOT_NEGATIVE, { at: 'ending.value' }),
+  optional('law', types.choice(rules.STEP_LAWS)),
+  optional('tool', types.ID),
+  optional('frame', types.ID),
+];
+const REMARK = [optional('comment', LABEL)];
+const SIGNAL = [required('value', types.choice(['on', 'off']))];
+
+/** @param {string} name @param {string} kind @param {AttributeRule[]} attributes */
+const stepElement = (name, kind, attributes) =>
+  element(name, {
+    list: 'steps',
+    noun: 'step',
+    max: rules.MAX_STEPS,
+    constants: { kind },
+    attributes: [required('id', types.ID), ...attributes, optional('disabled', types.FLAG)],
+  });
+
+const MOTION_PROGRAM = element('motionProgram', {
+  list: 'motionPrograms',
+  noun: 'motion program',
+  max: rules.MAX_MOTION_PROGRAMS,
+  attributes: [required('id', types.ID), required('name', LABEL)],
+  order: 'choice',
+  maxChildren: rules.MAX_STEPS,
+  children: [
+    stepElement('jointMove', 'joint', [...TO, ...MOVE, ...REMARK]),
+    stepElement('linearMove', 'linear', [...TO, ...MOVE, ...REMARK]),
+    stepElement('circularMove', 'circular', [...VIA, ...TO, ...MOVE, ...REMARK]),
+    stepElement('wait', 'wait', [required('seconds', types.POSITIVE), ...REMARK]),
+    stepElement('setOutput', 'set-output', [required('output', types.POSITIVE_INTEGER), ...SIGNAL, ...REMARK]),
+    stepElement('waitInput', 'wait-input', [required('input', types.POSITIVE_INTEGER), ...SIGNAL, ...REMARK]),
+    stepElement('call', 'call', [required('program', types.ID), ...REMARK]),
+    stepElement('label', 'label', [required('label', LABEL), ...REMARK]),
+    stepElement('comment', 'comment', [required('text', LABEL)]),
+  ],
+});
+
 const PROGRAM = element('program', {
   list: 'programs',
   noun: 'program',
@@ -179,6 +241,7 @@ export const ROBOT_MODEL = element('robotModel', {
       order: 'sequence',
       children: [{ ...POSTURE, name: 'configuration' }],
     }),
+    element('motionPrograms', { order: 'sequence', children: [MOTION_PROGRAM] }),
     element('programs', { order: 'sequence', children: [PROGRAM] }),
     element('extensions', { order: 'sequence', foreign: 'extensions' }),
   ],

@@ -117,6 +117,18 @@ export const SIGN = {
   facets: { base: 'integer', enumeration: ['1', '-1'] },
 };
 
+/** @type {ValueType} */
+export const FLAG = {
+  example: 'true',
+  read(text) {
+    const word = collapse(text);
+    if (['true', '1', 'false', '0'].includes(word)) return { value: word === 'true' || word === '1' };
+    return { code: 'choice', expected: 'true or false' };
+  },
+  write: String,
+  facets: { base: 'boolean' },
+};
+
 /** @param {number} min @param {number} max how many numbers @returns {ValueType} */
 export function numberList(min, max) {
   const count = min === max ? `${min}` : `${min} to ${max}`;

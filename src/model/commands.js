@@ -7,6 +7,7 @@
  * @import { Convention, Doc, JointField, Units } from './document.js'
  * @import { FrameCommand } from './frameCommands.js'
  * @import { JointCommand } from './jointCommands.js'
+ * @import { MotionCommand } from './motionCommands.js'
  * @import { PostureCommand } from './postureCommand.js'
  * @import { RobotCommand } from './robotCommands.js'
  * @import { TableCommand } from './tableCommand.js'
@@ -27,6 +28,7 @@
  *   | JointCommand
  *   | TargetCommand
  *   | FrameCommand
+ *   | MotionCommand
  *   | RobotCommand} Command
  *
  * Converting keeps the robot and changes the numbers; reinterpreting keeps the numbers and changes the robot.
@@ -35,6 +37,7 @@ import { convertConvention } from './convertConvention.js';
 import { convertUnits } from './convertUnits.js';
 import { applyFrameCommand } from './frameCommands.js';
 import { applyJointCommand } from './jointCommands.js';
+import { applyMotionCommand } from './motionCommands.js';
 import { applyPostureCommand } from './postureCommand.js';
 import { applyRobotCommand } from './robotCommands.js';
 import { textOf, withField } from './jointFields.js';
@@ -107,6 +110,14 @@ export function applyCommand(doc, command) {
     case 'choose-tool':
     case 'choose-user':
       return applyFrameCommand(doc, command);
+    case 'add-motion-program':
+    case 'rename-motion-program':
+    case 'remove-motion-program':
+    case 'insert-steps':
+    case 'edit-step':
+    case 'move-step':
+    case 'remove-steps':
+      return applyMotionCommand(doc, command);
     case 'set-base':
     case 'set-tool':
     case 'set-link':

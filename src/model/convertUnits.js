@@ -3,11 +3,13 @@
  * has no unit of the document (quaternions, efforts, couplings), controller programs, and foreign elements.
  *
  * @import { DhField, Doc, FrameDoc, JointDoc, PoseDoc, TargetDoc, Units } from './document.js'
+ * @import { MoveStep, PoseTarget } from './motionProgram.js'
  * @typedef {'length' | 'angle'} Quantity
  * @typedef {(quantity: Quantity, value: number) => number} Convert
  */
 import { DH_FIELDS, quantityOf } from './document.js';
 import { LARGEST_NUMBER } from './documentRules.js';
+import { withMoves, withTargets } from './motionProgram.js';
 import { commonAngle, convertAngle, convertLength } from './units.js';
 
 const LIMITS = /** @type {const} */ (['lower', 'upper', 'home']);
@@ -77,11 +79,12 @@ function inUnits(doc, { length, angle }, convert) {
     postures: doc.postures.map((posture) => ({ ...posture, q: values(posture.q) })),
     frames: doc.frames.map((frame) => convertPose(frame, convert)),
     targets: doc.targets.map((target) => convertPose(target, convert)),
+    motionPrograms: withMoves(doc.motionPrograms, (move) => convertMove(move, convert, values)),
   };
 }
 
 /**
- * @template {PoseDoc | FrameDoc | TargetDoc} Pose
+ * @template {PoseDoc | FrameDoc | TargetDoc | PoseTarget} Pose
  * @param {Pose} pose
  * @param {Convert} convert
  * @returns {Pose}
@@ -89,6 +92,25 @@ function inUnits(doc, { length, angle }, convert) {
 function convertPose(pose, convert) {
   const xyz = pose.xyz.map((value) => convert('length', value));
   return { ...pose, xyz, ...(pose.rpy && { rpy: pose.rpy.map((value) => convert('angle', value)) }) };
+}
+
+/**
+ * @param {MoveStep} move
+ * @param {Convert} convert
+ * @param {(q: readonly number[]) => readonly number[]} values  a posture's
+ * @returns {MoveStep}
+ */
+function convertMove(move, convert, values) {
+  const { speed, speedUnit, ending } = move;
+  const there = withTargets(move, (target) => {
+    if (target.kind === 'posture') return { ...target, values: values(target.values) };
+    return target.kind === 'pose' ? convertPose(target, convert) : target;
+  });
+  return {
+    ...there,
+    speed: speedUnit === '%' ? speed : convert(speedUnit === 'angle/s' ? 'angle' : 'length', speed),
+    ending: ending.kind === 'distance' ? { ...ending, value: convert('length', ending.value) } : ending,
+  };
 }
 
 /** @param {JointDoc} joint @param {Convert} convert @returns {JointDoc} */

@@ -3,6 +3,8 @@
  * Plain frozen data: no methods, nothing that can be derived. What the arm is (`robot`) and where it is (`posture`)
  * stay apart, so that jogging compiles nothing.
  *
+ * @import { MotionProgramDoc } from './motionProgram.js'
+ *
  * @typedef {'mm' | 'cm' | 'm'} LengthUnit
  * @typedef {'deg' | 'rad'} AngleUnit
  * @typedef {{ readonly length: LengthUnit, readonly angle: AngleUnit }} Units
@@ -77,6 +79,7 @@
  * @property {string} [activeTool]                    the id of the tool that `robot.tool` is; absent: of none in the list
  * @property {string} [activeUser]                    the id of a user frame; absent: the world
  * @property {readonly TargetDoc[]} targets           named, in the order of their list
+ * @property {readonly MotionProgramDoc[]} motionPrograms  in the order of their list
  * @property {readonly ProgramDoc[]} programs         kept; not yet used here
  * @property {readonly string[]} extensions           foreign XML elements of the file it came from, as text
  *

@@ -1,6 +1,7 @@
 /**
  * What the values of a document may be: the facts that validation, the robot file and its schema share.
  *
+ * @import { SpeedUnit, StepLaw } from './motionProgram.js'
  * @import { AngleUnit, Convention, JointType, LengthUnit, LinkDoc, ProgramDoc } from './document.js'
  */
 
@@ -19,6 +20,9 @@ export const MAX_DESCRIPTION_LENGTH = 10_000;
 export const MAX_FRAMES = 100;
 export const MAX_TARGETS = 200;
 export const MAX_PROGRAMS = 20;
+export const MAX_MOTION_PROGRAMS = 20;
+/** Of all motion programs together: each step is an element of the file (io/fileLimits.js). */
+export const MAX_STEPS = 1000;
 
 /** How far the length of a quaternion may be from 1: typed digits are rounded, but six of them are usual. */
 export const QUATERNION_TOLERANCE = 1e-6;
@@ -35,6 +39,11 @@ export const JOINT_TYPES = ['revolute', 'prismatic', 'continuous'];
 export const LINK_KINDS = ['auto', 'cylinder', 'box', 'none'];
 /** @type {readonly ProgramDoc['language'][]} */
 export const PROGRAM_LANGUAGES = ['karel', 'fanuc-tp', 'krl'];
+
+/** @type {readonly SpeedUnit[]} */
+export const SPEED_UNITS = ['%', 'length/s', 'angle/s'];
+/** @type {readonly StepLaw[]} */
+export const STEP_LAWS = ['trapezoid', 'doubleS', 'cubic', 'quintic'];
 
 /** Characters as XML Schema counts them: an emoji is one. @param {string} text */
 export const characterCount = (text) => Array.from(text).length;

@@ -30,6 +30,7 @@ import {
   targetPose,
   targetsIn,
 } from './frames.js';
+import { withMoves } from './motionProgram.js';
 import { poseInUnits } from './poseNumbers.js';
 import { isSamePose } from './samePose.js';
 
@@ -118,7 +119,11 @@ function renamed(doc, index, id) {
   if (old.id === id) return doc;
   const frames = doc.frames.with(index, { ...old, id });
   const isActive = doc[ACTIVE[old.kind]] === old.id;
-  const next = { ...doc, frames, ...(isActive && { [ACTIVE[old.kind]]: id }) };
+  const field = old.kind === 'tool' ? 'tool' : 'frame';
+  const motionPrograms = withMoves(doc.motionPrograms, (move) =>
+    move[field] === old.id ? { ...move, [field]: id } : move,
+  );
+  const next = { ...doc, frames, motionPrograms, ...(isActive && { [ACTIVE[old.kind]]: id }) };
   if (old.kind !== 'user' || targetsIn(doc, old.id).length === 0) return next;
   return {
     ...next,

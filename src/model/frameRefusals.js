@@ -7,6 +7,7 @@
  */
 import { ID_PATTERN, LARGEST_NUMBER, MAX_FRAMES } from './documentRules.js';
 import { hasUnlistedTool, targetPose, targetsIn } from './frames.js';
+import { inUse, isIn, usersIn } from './motionProgram.js';
 import { poseInUnits } from './poseNumbers.js';
 import { badChoice, badIndex, badPosture, issue, shown } from './refusalParts.js';
 import { badPose } from './robotRefusals.js';
@@ -35,7 +36,7 @@ export function frameRefusal(doc, command) {
     case 'edit-frame':
       return badPose(`frames.${command.index}`, command.pose);
     case 'remove-frame':
-      return targetsBeyond(doc, command.index);
+      return stillUsed(doc, command.index) ?? targetsBeyond(doc, command.index);
     default:
       return null;
   }
@@ -84,6 +85,13 @@ function badFrameNumber(frames, { index, number }) {
   const { kind } = frames[index];
   const other = frames.find((frame, i) => i !== index && frame.kind === kind && frame.number === number);
   return other ? issue('number-taken', path, `The ${WORD[kind]} ${other.id} has the number ${number} already.`) : null;
+}
+
+/** @param {Doc} doc @param {number} index */
+function stillUsed(doc, index) {
+  const { kind, id } = doc.frames[index];
+  const users = usersIn(doc, isIn(id));
+  return users === null ? null : inUse(`frames.${index}`, `The ${WORD[kind]} ${id}`, users);
 }
 
 /** Targets in a frame that goes are then seen from the world, where no number is beyond what a document holds. @param {Doc} doc @param {number} index */

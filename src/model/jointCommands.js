@@ -11,6 +11,7 @@
  *   | { type: 'set-joint-type', joint: number, jointType: JointType }} JointCommand  `after` is −1 for the first place
  */
 import { homePosture, isSliding } from './document.js';
+import { withPostures } from './motionProgram.js';
 
 /**
  * @param {Doc} doc
@@ -121,4 +122,5 @@ const rearranged = (doc, joints, values) => ({
   robot: { ...doc.robot, joints },
   posture: values(doc.posture),
   postures: doc.postures.map((posture) => ({ ...posture, q: values(posture.q) })),
+  motionPrograms: withPostures(doc.motionPrograms, values),
 });

@@ -8,6 +8,7 @@
 import { MAX_POSTURES } from './document.js';
 import { CONVENTIONS } from './documentRules.js';
 import { frameRefusal } from './frameRefusals.js';
+import { motionRefusal } from './motionRefusals.js';
 import { tableRefusal } from './tableCommand.js';
 import { targetRefusal } from './targetRefusals.js';
 import { POSTURE_NAME, isPostureName, postureRefusal } from './postureCommand.js';
@@ -85,6 +86,14 @@ export function refusal(doc, command) {
     case 'choose-tool':
     case 'choose-user':
       return frameRefusal(doc, command);
+    case 'add-motion-program':
+    case 'rename-motion-program':
+    case 'remove-motion-program':
+    case 'insert-steps':
+    case 'edit-step':
+    case 'move-step':
+    case 'remove-steps':
+      return motionRefusal(doc, command);
     case 'set-base':
     case 'set-tool':
     case 'set-link':

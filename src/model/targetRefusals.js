@@ -6,6 +6,7 @@
  * @import { TargetCommand } from './targets.js'
  */
 import { ID_PATTERN, MAX_LABEL_LENGTH, MAX_TARGETS } from './documentRules.js';
+import { goesTo, inUse, usersIn } from './motionProgram.js';
 import { badIndex, issue, shown } from './refusalParts.js';
 import { badPose, badText } from './robotRefusals.js';
 
@@ -14,7 +15,8 @@ import { badPose, badText } from './robotRefusals.js';
  * @param {TargetCommand} command
  * @returns {Issue | null}
  */
-export function targetRefusal({ targets, frames }, command) {
+export function targetRefusal(doc, command) {
+  const { targets, frames } = doc;
   switch (command.type) {
     case 'add-target':
       if (targets.length >= MAX_TARGETS) {
@@ -35,10 +37,17 @@ export function targetRefusal({ targets, frames }, command) {
     case 'move-target':
       return badIndex('target', command.index, targets.length) ?? badIndex('target', command.to, targets.length);
     case 'remove-target':
-      return badIndex('target', command.index, targets.length);
+      return badIndex('target', command.index, targets.length) ?? stillUsed(doc, command.index);
     default:
       return null;
   }
+}
+
+/** @param {Doc} doc @param {number} index */
+function stillUsed(doc, index) {
+  const { id } = doc.targets[index];
+  const users = usersIn(doc, goesTo(id));
+  return users === null ? null : inUse(`targets.${index}`, `Target ${id}`, users);
 }
 
 /** @param {Doc['frames']} frames @param {string | undefined} id */

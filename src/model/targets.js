@@ -4,6 +4,7 @@
  * configuration the arm stood when it was kept; whoever goes there again then takes the same one, if there is one.
  *
  * @import { Doc, PoseDoc, TargetDoc } from './document.js'
+ * @import { StepTarget } from './motionProgram.js'
  *
  * @typedef {{ type: 'add-target', pose: PoseDoc, frame?: string, configuration?: string }
  *   | { type: 'rename-target', index: number, id: string }
@@ -11,6 +12,7 @@
  *   | { type: 'move-target', index: number, to: number }
  *   | { type: 'remove-target', index: number }} TargetCommand
  */
+import { withMoves, withTargets } from './motionProgram.js';
 
 /**
  * @param {Doc} doc
@@ -24,7 +26,14 @@ export function applyTargetCommand(doc, command) {
       return { ...doc, targets: [...targets, made(freeTargetId(doc), command)] };
     case 'rename-target': {
       const old = targets[command.index];
-      return old.id === command.id ? doc : { ...doc, targets: targets.with(command.index, { ...old, id: command.id }) };
+      if (old.id === command.id) return doc;
+      const follow = (/** @type {StepTarget} */ target) =>
+        target.kind === 'target' && target.id === old.id ? { ...target, id: command.id } : target;
+      return {
+        ...doc,
+        targets: targets.with(command.index, { ...old, id: command.id }),
+        motionPrograms: withMoves(doc.motionPrograms, (move) => withTargets(move, follow)),
+      };
     }
     case 'edit-target': {
       const old = targets[command.index];

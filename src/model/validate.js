@@ -20,6 +20,7 @@ import {
   PRESENT_POSTURE_ID,
   PROGRAM_LANGUAGES,
 } from './documentRules.js';
+import { motionFaults } from './motionFaults.js';
 import { checkFrameId, framesIssues } from './validateFrames.js';
 import { jointsIssues } from './validateJoints.js';
 import {
@@ -46,6 +47,7 @@ export const validateDocument = (doc) => [
   ...checkCount('too-many-frames', 'frames', doc.frames.length, MAX_FRAMES),
   ...framesIssues(doc),
   ...targetsIssues(doc),
+  ...motionFaults(doc),
   ...programsIssues(doc),
 ];
 

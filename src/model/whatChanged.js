@@ -5,7 +5,7 @@
  * @import { Convention, Doc, JointDoc, JointField, RobotDoc, Units } from './document.js'
  * @import { Rate } from './robotCommands.js'
  *
- * @typedef {'postures' | 'targets' | 'frames'} ListName
+ * @typedef {'postures' | 'targets' | 'frames' | 'motionPrograms'} ListName
  * @typedef {'added' | 'removed' | 'renamed' | 'moved' | 'changed'} ListChange
  *
  * @typedef {{ what: 'field', joint: number, field: JointField }
@@ -16,7 +16,8 @@
  *   | { what: 'units', units: Units }
  *   | { what: 'convention', convention: Convention }
  *   | { what: 'base' | 'tool' | 'info' | 'order' | 'table' | 'posture' | 'postures' | 'other' }
- *   | { what: 'list', list: ListName, change: ListChange, id: string }} Change  `joint` counts from 0
+ *   | { what: 'step', change: ListChange, step: number }
+ *   | { what: 'list', list: ListName, change: ListChange, id: string }} Change  `joint` and `step` count from 0
  */
 import { textOf } from './jointFields.js';
 
@@ -37,7 +38,25 @@ export function whatChanged(before, after) {
   for (const list of /** @type {const} */ (['postures', 'frames', 'targets'])) {
     if (before[list] !== after[list]) return ofList(list, before[list], after[list]);
   }
+  if (before.motionPrograms !== after.motionPrograms) return ofPrograms(before.motionPrograms, after.motionPrograms);
   return { what: 'other' };
+}
+
+/** @param {Doc['motionPrograms']} before @param {Doc['motionPrograms']} after @returns {Change} */
+function ofPrograms(before, after) {
+  const { change, id } = ofList('motionPrograms', before, after);
+  const [old, now] = [before, after].map((programs) => programs.find((program) => program.id === id));
+  if (old && now && old.steps !== now.steps) {
+    const step = ofList('motionPrograms', old.steps, now.steps);
+    const { steps } = step.change === 'removed' ? old : now;
+    return { what: 'step', change: step.change, step: steps.findIndex((one) => one.id === step.id) };
+  }
+  return {
+    what: 'list',
+    list: 'motionPrograms',
+    change: old && now ? 'renamed' : change,
+    id: (now ?? old)?.name ?? id,
+  };
 }
 
 /**
@@ -99,10 +118,10 @@ function ofJoint(joint, before, after) {
   return fields.length === 1 ? { what: 'field', joint, field: fields[0] } : { what: 'rate', joint, rate: rates[0] };
 }
 
-/** @param {ListName} list @param {readonly { id: string }[]} before @param {readonly { id: string }[]} after @returns {Change} */
+/** @param {ListName} list @param {readonly { id: string }[]} before @param {readonly { id: string }[]} after @returns {Extract<Change, { what: 'list' }>} */
 function ofList(list, before, after) {
   const [old, now] = [before, after].map((items) => items.map(({ id }) => id));
-  /** @param {ListChange} change @param {string} id @returns {Change} */
+  /** @param {ListChange} change @param {string} id @returns {Extract<Change, { what: 'list' }>} */
   const told = (change, id) => ({ what: 'list', list, change, id });
   if (now.length > old.length) return told('added', now[firstOther(now, old)]);
   if (now.length < old.length) return told('removed', old[firstOther(old, now)]);

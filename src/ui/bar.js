@@ -7,15 +7,14 @@
  * @import { Theme } from './theme.js'
  */
 import $ from 'jquery/slim';
+import { together } from '../model/views.js';
 import { fill, h, spoken } from './dom.js';
 import { icon } from './icons.js';
 import { typesOf } from './jointTypes.js';
 import { giveMenu } from './menus.js';
 import { step } from './page.js';
-import { stepName } from './stepName.js';
 import { TEXT } from './strings.js';
 import { createUnitsMenu } from './unitsMenu.js';
-import { STEPS } from './words/steps.js';
 
 /**
  * @param {Page} page
@@ -23,7 +22,7 @@ import { STEPS } from './words/steps.js';
  * @param {{ files: Files, theme: Theme, openHelp: () => unknown }} tools
  */
 export function createBar(page, host, { files, theme, openHelp }) {
-  const { addView, announce } = page;
+  const { store, addView, announce } = page;
   const robotName = h('span', { class: 'b robot-name' });
   const robotTypes = h('span', { class: 'soft wide-only' });
   const units = createUnitsMenu(page, 'wide-only');
@@ -71,15 +70,18 @@ export function createBar(page, host, { files, theme, openHelp }) {
       document.title = TEXT.title(robot.name || TEXT.unnamedRobot);
     },
   );
+  /** @type {typeof import('./stepName.js') | null} fetched when there is first something to undo */
+  let names = null;
   for (const [button, type] of /** @type {const} */ ([
     [undo, 'undo'],
     [redo, 'redo'],
   ])) {
     addView(
-      (state) => stepName(state, type),
-      (name) => {
-        button.disabled = name === null;
-        button.title = name === null ? TEXT.bar[type] : STEPS.of[type](name);
+      together(({ past, doc, future }) => [doc, (type === 'undo' ? past : future).length > 0]),
+      async ([, isThere]) => {
+        button.disabled = !isThere;
+        if (isThere) names ??= await import('./stepName.js');
+        button.title = names?.stepTitle(store.state, type) ?? TEXT.bar[type];
         button.setAttribute('aria-label', button.title);
       },
     );

@@ -25,8 +25,6 @@
  *   `where` is null without a picture, and, if asked so, while nobody has chosen where it is taken from
  */
 import { refusal } from '../model/refusals.js';
-import { stepName } from './stepName.js';
-import { STEPS } from './words/steps.js';
 
 /** @type {readonly Tab[]} */
 export const TABS = ['robot', 'program', 'code', 'jacobian'];
@@ -52,11 +50,12 @@ export function openPanel({ store }, panel) {
  * @param {Page} page
  * @param {'undo' | 'redo'} type
  */
-export function step({ store, announce }, type) {
-  const name = stepName(store.state, type);
-  if (name === null) return;
+export async function step({ store, announce }, type) {
+  const before = store.state;
   store.dispatch({ type });
-  announce(STEPS.done[type](name));
+  if (store.state === before) return;
+  const { stepDone } = await import('./stepName.js');
+  announce(stepDone(before, type));
 }
 
 /**

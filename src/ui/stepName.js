@@ -1,5 +1,5 @@
 /**
- * What undo or redo would do, in words: "link length a of joint 2".
+ * What undo or redo would do, in words: "link length a of joint 2". Fetched when there is first something to undo.
  *
  * @import { Doc } from '../model/document.js'
  * @import { AppState } from '../model/session.js'
@@ -18,6 +18,15 @@ export function stepName(state, step) {
   const doc = recorded(state);
   return step === 'undo' ? changeName(other, doc) : changeName(doc, other);
 }
+
+/** What the button that does it is called. @param {AppState} state @param {Step} step @returns {string | null} likewise */
+export function stepTitle(state, step) {
+  const name = stepName(state, step);
+  return name === null ? null : STEPS.of[step](name);
+}
+
+/** What is said when it is done. @param {AppState} before @param {Step} step  that there is */
+export const stepDone = (before, step) => STEPS.done[step](stepName(before, step) ?? '');
 
 /** @param {Doc} before @param {Doc} after */
 function changeName(before, after) {
@@ -48,6 +57,8 @@ function changeName(before, after) {
       return STEPS.units(change.units.length, change.units.angle);
     case 'convention':
       return STEPS.convention[change.convention];
+    case 'step':
+      return STEPS.step(change.step + 1, STEPS.change[change.change]);
     case 'list':
       return STEPS.inList(STEPS.list[change.list], change.id, STEPS.change[change.change]);
     default:

@@ -1,8 +1,10 @@
 /**
  * Arbitrary sound documents: hostile texts, odd numbers, all types, optional things there or not.
  * @import { ControllerDoc, Doc, FrameDoc, JointDoc, LinkDoc, PoseDoc, RobotInfo, TargetDoc } from '../../../src/model/document.js'
+ * @import { MotionProgramDoc, StepDoc, StepTarget } from '../../../src/model/motionProgram.js'
  */
 import fc from 'fast-check';
+import { STEP_LAWS } from '../../../src/model/documentRules.js';
 
 /**
  * Plain objects, never without a prototype, as documents are; `requiredKeys` as in fc.record.
@@ -172,6 +174,72 @@ const targets = fc.uniqueArray(
   { selector: (target) => target.id, maxLength: 4 },
 );
 
+const signal = fc.constantFrom(/** @type {const} */ ('on'), /** @type {const} */ ('off'));
+const count = fc.integer({ min: 1, max: 1e9 });
+const percent = fc.double({ min: 5e-324, max: 100, noNaN: true });
+const aside = { id, comment: text(40), disabled: fc.boolean() };
+
+/** @type {fc.Arbitrary<import('../../../src/model/motionProgram.js').Ending>} */
+const ending = fc.oneof(
+  fc.constant({ kind: /** @type {const} */ ('fine') }),
+  record({ kind: fc.constant(/** @type {const} */ ('percent')), value: fc.double({ min: 0, max: 100, noNaN: true }) }),
+  record({ kind: fc.constant(/** @type {const} */ ('distance')), value: fc.double({ min: 0, max: 1e9, noNaN: true }) }),
+);
+
+/** Programs for a document that has what their steps name. @param {Doc} doc @returns {fc.Arbitrary<MotionProgramDoc[]>} */
+function motionPrograms(doc) {
+  /** @type {fc.Arbitrary<StepTarget>[]} */
+  const places = [
+    record({ kind: fc.constant(/** @type {const} */ ('posture')), values: vector(number, doc.posture.length) }),
+    fc.tuple(pose, fc.option(text(40), { nil: undefined })).map(([where, configuration]) => ({
+      kind: /** @type {const} */ ('pose'),
+      ...where,
+      ...(configuration !== undefined && { configuration }),
+    })),
+  ];
+  const target = fc.oneof(
+    ...places,
+    ...doc.targets.map((one) => fc.constant({ kind: /** @type {const} */ ('target'), id: one.id })),
+  );
+  const frameOf = (/** @type {'user' | 'tool'} */ kind) => {
+    const ids = doc.frames.filter((frame) => frame.kind === kind).map((frame) => frame.id);
+    return fc.constantFrom(undefined, ...ids);
+  };
+  const move = {
+    ...aside,
+    target,
+    acceleration: percent,
+    ending,
+    law: fc.constantFrom(...STEP_LAWS),
+    tool: frameOf('tool'),
+    frame: frameOf('user'),
+  };
+  const rate = { speed: positive, speedUnit: fc.constantFrom(...['length/s', 'angle/s']) };
+  const needed = ['id', 'kind', 'target', 'via', 'speed', 'speedUnit', 'acceleration', 'ending'];
+  const kind = (/** @type {string} */ word) => ({ kind: fc.constant(word) });
+  /** @param {Record<string, fc.Arbitrary<unknown>>} fields @param {string[]} requiredKeys */
+  const some = (fields, requiredKeys) =>
+    record(fields, { requiredKeys: requiredKeys.filter((name) => Object.hasOwn(fields, name)) });
+  const step = fc.oneof(
+    some({ ...kind('joint'), ...move, speed: percent, speedUnit: fc.constant('%') }, needed),
+    some({ ...kind('linear'), ...move, ...rate }, needed),
+    some({ ...kind('circular'), ...move, ...rate, via: target }, needed),
+    some({ ...kind('wait'), ...aside, seconds: positive }, ['id', 'kind', 'seconds']),
+    some({ ...kind('set-output'), ...aside, output: count, value: signal }, ['id', 'kind', 'output', 'value']),
+    some({ ...kind('wait-input'), ...aside, input: count, value: signal }, ['id', 'kind', 'input', 'value']),
+    some({ ...kind('call'), ...aside, program: id }, ['id', 'kind', 'program']),
+    some({ ...kind('label'), ...aside, label: text(40) }, ['id', 'kind', 'label']),
+    some({ ...kind('comment'), id, disabled: fc.boolean(), text: text(40) }, ['id', 'kind', 'text']),
+  );
+  // put together from fields by name, which a type cannot follow; validateDocument is asked of all of it
+  const said = step.map(
+    (fields) =>
+      /** @type {StepDoc} */ (Object.fromEntries(Object.entries(fields).filter(([, value]) => value !== undefined))),
+  );
+  const steps = fc.uniqueArray(said, { selector: (one) => one.id, maxLength: 5 });
+  return fc.uniqueArray(record({ id, name: text(60), steps }), { selector: (program) => program.id, maxLength: 2 });
+}
+
 const programs = fc.uniqueArray(
   record({ id, language: fc.constantFrom('karel', 'fanuc-tp', 'krl'), text: text(200) }),
   { selector: (program) => program.id, maxLength: 3 },
@@ -214,9 +282,12 @@ export const documents = fc.uniqueArray(id, { minLength: 2, maxLength: 6 }).chai
     postures: postures(ids.length),
     frames,
     targets,
+    motionPrograms: fc.constant([]),
     programs,
     extensions,
-  }).chain(withActive),
+  })
+    .chain(withActive)
+    .chain((doc) => motionPrograms(doc).map((made) => ({ ...doc, motionPrograms: made }))),
 );
 
 /**

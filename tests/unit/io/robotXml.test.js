@@ -41,6 +41,7 @@ test('a small file is this document', () => {
       postures: [],
       frames: [],
       targets: [],
+      motionPrograms: [],
       programs: [],
       extensions: [],
     },
@@ -58,7 +59,7 @@ test('everything in a file has its place in the document', () => {
     inJoint:
       '<limits lower="-1" upper="2" home="0.5" velocity="3" acceleration="4" jerk="5" effort="6"/><link kind="box" radius="1" width="2" height="3" color="#ffcc00"/><controller sign="-1" offset="7" coupledTo="joint_2" coupling="-1"/>',
     after:
-      '<tool rpy="0 0 90"/><frames><toolFrame id="t" number="2"/><userFrame id="u" xyz="1 1 1"/></frames><postures><posture id="p1" q="1 2"/></postures><programs><program id="pick" language="karel">PROGRAM pick\nEND pick</program></programs>',
+      '<tool rpy="0 0 90"/><frames><toolFrame id="t" number="2"/><userFrame id="u" xyz="1 1 1"/></frames><postures><posture id="p1" q="1 2"/></postures><motionPrograms><motionProgram id="m" name="Weld"><jointMove id="s1" to="posture" q="1 2" speed="50" speedUnit="%" acceleration="100" ending="percent" endingValue="20" law="quintic"/><circularMove id="s2" via="pose" viaXyz="1 2 3" to="pose" xyz="4 5 6" rpy="0 0 90" configuration="N U T" speed="0.2" speedUnit="length/s" acceleration="80" ending="fine" tool="t" frame="u" comment="c" disabled="true"/><wait id="s3" seconds="0.5"/><setOutput id="s4" output="1" value="on"/><waitInput id="s5" input="2" value="off"/><call id="s6" program="m"/><label id="s7" label="again"/><comment id="s8" text="a b"/></motionProgram></motionPrograms><programs><program id="pick" language="karel">PROGRAM pick\nEND pick</program></programs>',
   });
   expect(doc).toStrictEqual({
     robot: {
@@ -98,6 +99,30 @@ test('everything in a file has its place in the document', () => {
       { kind: 'user', id: 'u', xyz: [1, 1, 1] },
     ],
     targets: [],
+    motionPrograms: [
+      {
+        id: 'm',
+        name: 'Weld',
+        steps: [
+          {
+            ...{ id: 's1', kind: 'joint', target: { kind: 'posture', values: [1, 2] }, speed: 50, speedUnit: '%' },
+            ...{ acceleration: 100, ending: { kind: 'percent', value: 20 }, law: 'quintic' },
+          },
+          {
+            ...{ id: 's2', kind: 'circular', via: { kind: 'pose', xyz: [1, 2, 3] } },
+            target: { kind: 'pose', xyz: [4, 5, 6], rpy: [0, 0, 90], configuration: 'N U T' },
+            ...{ speed: 0.2, speedUnit: 'length/s', acceleration: 80, ending: { kind: 'fine' }, tool: 't', frame: 'u' },
+            ...{ comment: 'c', disabled: true },
+          },
+          { id: 's3', kind: 'wait', seconds: 0.5 },
+          { id: 's4', kind: 'set-output', output: 1, value: 'on' },
+          { id: 's5', kind: 'wait-input', input: 2, value: 'off' },
+          { id: 's6', kind: 'call', program: 'm' },
+          { id: 's7', kind: 'label', label: 'again' },
+          { id: 's8', kind: 'comment', text: 'a b' },
+        ],
+      },
+    ],
     programs: [{ id: 'pick', language: 'karel', text: 'PROGRAM pick\nEND pick' }],
     extensions: [],
   });

@@ -65,6 +65,7 @@ const anyDoc = fc
     postures: [],
     frames: [{ kind: 'tool', id: 't', ...mount }],
     targets: [],
+    motionPrograms: [],
     programs: [],
     extensions: [],
   }));
@@ -147,7 +148,15 @@ const docOf = (more, rows) => ({
     ...more,
     joints: rows.map(joint),
   },
-  ...{ posture: rows.map(() => 0), postures: [], frames: [], targets: [], programs: [], extensions: [] },
+  ...{
+    posture: rows.map(() => 0),
+    postures: [],
+    frames: [],
+    targets: [],
+    motionPrograms: [],
+    programs: [],
+    extensions: [],
+  },
 });
 
 describe('the numbers', () => {

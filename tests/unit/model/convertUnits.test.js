@@ -98,6 +98,27 @@ const everything = {
   postures: [{ id: 'p1', q: [-180, 33.3] }],
   frames: [{ kind: 'user', id: 'u', number: 3, xyz: [100, 0, 0], rpy: [0, 0, 180] }],
   targets: [{ id: 'aim', xyz: [500, 0, 25.4], rpy: [180, 0, -45], configuration: 'N U T, 0, 0, 0' }],
+  motionPrograms: [
+    {
+      ...{ id: 'm', name: 'M' },
+      steps: [
+        {
+          ...{ id: 's1', kind: 'joint', target: { kind: 'posture', values: [90, 50] }, speed: 50, speedUnit: '%' },
+          ...{ acceleration: 100, ending: { kind: 'percent', value: 20 } },
+        },
+        {
+          ...{ id: 's2', kind: 'circular', via: { kind: 'target', id: 'aim' }, speed: 250, speedUnit: 'length/s' },
+          target: { kind: 'pose', xyz: [400, 0, 5], rpy: [0, 0, 180], configuration: 'N U T' },
+          ...{ acceleration: 80, ending: { kind: 'distance', value: 10 }, frame: 'u' },
+        },
+        {
+          ...{ id: 's3', kind: 'linear', target: { kind: 'target', id: 'aim' }, speed: 45, speedUnit: 'angle/s' },
+          ...{ acceleration: 80, ending: { kind: 'fine' } },
+        },
+        { id: 's4', kind: 'wait', seconds: 2 },
+      ],
+    },
+  ],
   programs: [{ id: 'k', language: 'karel', text: 'x = 100' }],
   extensions: [],
 };
@@ -105,6 +126,7 @@ const inMetres = () => applyCommand(everything, { type: 'convert-units', units: 
 
 test('every number of the document converts, and what has no unit does not', () => {
   const { PI } = Math;
+  const { steps } = everything.motionPrograms[0];
   const radians = 0.2094395102393196; // one digit less than 12 * (PI / 180), one unit in the last place from it
   expect(inMetres()).toEqual({
     ...everything,
@@ -133,6 +155,20 @@ test('every number of the document converts, and what has no unit does not', () 
     postures: [{ id: 'p1', q: [-PI, 0.0333] }],
     frames: [{ kind: 'user', id: 'u', number: 3, xyz: [0.1, 0, 0], rpy: [0, 0, PI] }],
     targets: [{ id: 'aim', xyz: [0.5, 0, 0.0254], rpy: [PI, 0, -PI / 4], configuration: 'N U T, 0, 0, 0' }],
+    motionPrograms: [
+      {
+        ...{ id: 'm', name: 'M' },
+        steps: [
+          { ...steps[0], target: { kind: 'posture', values: [PI / 2, 0.05] } },
+          {
+            ...{ ...steps[1], speed: 0.25, ending: { kind: 'distance', value: 0.01 } },
+            target: { kind: 'pose', xyz: [0.4, 0, 0.005], rpy: [0, 0, PI], configuration: 'N U T' },
+          },
+          { ...steps[2], speed: PI / 4 },
+          steps[3],
+        ],
+      },
+    ],
   });
 });
 

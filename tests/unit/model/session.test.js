@@ -30,7 +30,8 @@ function tryTo(store, action) {
 }
 
 /** Written anew, from what a document promises. @param {import('../../../src/model/document.js').Doc} doc */
-function expectSound({ robot, posture, postures, targets, frames, activeTool, activeUser }) {
+function expectSound({ robot, posture, postures, targets, frames, activeTool, activeUser, motionPrograms }) {
+  expectSoundPrograms(motionPrograms, { joints: robot.joints.length, targets, frames });
   expect(posture).toHaveLength(robot.joints.length);
   for (const values of [posture, ...postures.map(({ q }) => q)]) expect(values.every(Number.isFinite)).toBe(true);
   for (const { theta, d, a, alpha, lower, upper } of robot.joints) {
@@ -59,6 +60,33 @@ function expectSound({ robot, posture, postures, targets, frames, activeTool, ac
     expect(color).toMatch(/^#[0-9a-f]{6}$/i);
   }
   expect(robot.name.length).toBeLessThanOrEqual(400); // 200 characters, each of two units at most
+}
+
+/**
+ * @param {import('../../../src/model/document.js').Doc['motionPrograms']} programs
+ * @param {{ joints: number } & Pick<import('../../../src/model/document.js').Doc, 'targets' | 'frames'>} given
+ */
+function expectSoundPrograms(programs, { joints, targets, frames }) {
+  expect(new Set(programs.map(({ id }) => id)).size).toBe(programs.length);
+  for (const { name, steps } of programs) {
+    expect(name.length).toBeLessThanOrEqual(400);
+    expect(new Set(steps.map(({ id }) => id)).size).toBe(steps.length);
+    for (const step of steps) {
+      expect(Object.values(step)).not.toContain(undefined);
+      if (!('target' in step)) continue;
+      expect(step.speed > 0 && step.acceleration > 0 && step.acceleration <= 100).toBe(true);
+      expect(step.kind === 'joint').toBe(step.speedUnit === '%');
+      expect(step.kind === 'circular').toBe(step.via !== undefined);
+      for (const target of [step.target, ...(step.via ? [step.via] : [])]) {
+        if (target.kind === 'posture') expect(target.values).toHaveLength(joints);
+        if (target.kind === 'target') expect(targets.map(({ id }) => id)).toContain(target.id);
+        if (target.kind === 'pose') expect(target.xyz.every(Number.isFinite)).toBe(true);
+      }
+      const named = (/** @type {string} */ kind) => frames.filter((frame) => frame.kind === kind).map(({ id }) => id);
+      if (step.tool !== undefined) expect(named('tool')).toContain(step.tool);
+      if (step.frame !== undefined) expect(named('user')).toContain(step.frame);
+    }
+  }
 }
 
 describe('a session', () => {

@@ -2,8 +2,7 @@
  * The same robot in other units: every number of the document converts, none is merely relabelled. Left as they are: what
  * has no unit of the document (quaternions, efforts, couplings), controller programs, and foreign elements.
  *
- * @import { DhField, Doc, FrameDoc, JointDoc, PoseDoc, TargetDoc, Units } from './document.js'
- * @import { MoveStep, PoseTarget } from './motionProgram.js'
+ * @import { DhField, Doc, FrameDoc, JointDoc, MoveStep, PoseDoc, PoseTarget, TargetDoc, Units } from './document.js'
  * @typedef {'length' | 'angle'} Quantity
  * @typedef {(quantity: Quantity, value: number) => number} Convert
  */

@@ -1,8 +1,7 @@
 /**
  * What the values of a document may be: the facts that validation, the robot file and its schema share.
  *
- * @import { SpeedUnit, StepLaw } from './motionProgram.js'
- * @import { AngleUnit, Convention, JointType, LengthUnit, LinkDoc, ProgramDoc } from './document.js'
+ * @import { AngleUnit, Convention, JointType, LengthUnit, LinkDoc, ProgramDoc, SpeedUnit, StepLaw } from './document.js'
  */
 
 /** What a robot file can hold, and far beyond any arm in any unit. */

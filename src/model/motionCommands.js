@@ -2,8 +2,7 @@
  * The commands that change motion programs. What can be said against them is in motionRefusals.js. Whoever puts steps in says
  * nothing of their ids: each gets one that no other of its program has.
  *
- * @import { Doc } from './document.js'
- * @import { MotionProgramDoc, StepDoc } from './motionProgram.js'
+ * @import { Doc, MotionProgramDoc, StepDoc } from './document.js'
  *
  * @typedef {StepDoc extends infer Step ? Step extends StepDoc ? Omit<Step, 'id'> & { readonly id?: string } : never : never} NewStep
  *
@@ -77,10 +76,18 @@ function withNew(program, at, added) {
  * @param {NewStep} given
  * @param {string} id
  */
-function stepOf(given, id) {
-  const said = Object.entries({ ...given, id }).filter(([, value]) => value !== undefined);
-  return /** @type {StepDoc} */ (structuredClone(Object.fromEntries(said)));
+const stepOf = (given, id) => /** @type {StepDoc} */ (copied({ ...given, id }));
+
+/** @param {unknown} value  plain @returns {unknown} */
+function copied(value) {
+  if (Array.isArray(value)) return value.map(copied);
+  if (!isObject(value)) return value;
+  const said = Object.entries(value).filter(([, one]) => one !== undefined);
+  return Object.fromEntries(said.map(([name, one]) => [name, copied(one)]));
 }
+
+/** @param {unknown} value @returns {value is Record<string, unknown>} */
+const isObject = (value) => typeof value === 'object' && value !== null;
 
 /** One after the other, the first of s1, s2, … that none of these has. @param {readonly { id: string }[]} list @param {string} letters */
 function freeIds(list, letters) {
@@ -93,9 +100,14 @@ function freeIds(list, letters) {
   };
 }
 
-/** Whether two plain values say the same, whatever the order of their fields. @param {any} one @param {any} other @returns {boolean} */
+/**
+ * Whether two plain values say the same, whatever the order of their fields.
+ * @param {unknown} one
+ * @param {unknown} other
+ * @returns {boolean}
+ */
 function isSame(one, other) {
-  if (typeof one !== 'object' || typeof other !== 'object') return Object.is(one, other);
+  if (!isObject(one) || !isObject(other)) return Object.is(one, other);
   const names = Object.keys(one);
   return names.length === Object.keys(other).length && names.every((name) => isSame(one[name], other[name]));
 }

@@ -2,11 +2,10 @@
  * What can be wrong with a motion program in its document: one list of facts, for commands, files and whatever else brings
  * programs in. A field that its kind of step does not have is a fault, too: nothing would keep it.
  *
- * @import { Doc } from './document.js'
- * @import { MotionProgramDoc } from './motionProgram.js'
+ * @import { Doc, MotionProgramDoc } from './document.js'
  * @import { Issue } from './issues.js'
  *
- * @typedef {[isSound: (value: any, doc: Doc) => boolean, expected: string | ((doc: Doc) => string)]} Rule
+ * @typedef {[isSound: (value: unknown, doc: Doc) => boolean, expected: string | ((doc: Doc) => string)]} Rule
  */
 import {
   ID_PATTERN,
@@ -30,7 +29,10 @@ const upTo = (most) => [
 ];
 
 /** @type {Rule} */
-const COUNT = [(value) => Number.isInteger(value) && value > 0 && value <= LARGEST_NUMBER, 'a whole number above 0'];
+const COUNT = [
+  (value) => typeof value === 'number' && Number.isInteger(value) && value > 0 && value <= LARGEST_NUMBER,
+  'a whole number above 0',
+];
 /** @type {Rule} */
 const NAME = [
   (value) => typeof value === 'string' && ID_PATTERN.test(value),
@@ -44,6 +46,8 @@ const TEXT = [
 const FLAG = oneOf(true, false);
 const SIGNAL = oneOf('on', 'off');
 
+const POSE_FIELDS = ['xyz', 'rpy', 'quaternion'];
+
 /** @type {Rule} */
 const TARGET = [
   (target, doc) => {
@@ -56,8 +60,9 @@ const TARGET = [
       const { id, ...more } = rest;
       return hasNo(more) && doc.targets.some((one) => one.id === id);
     }
-    const { xyz, rpy, quaternion, configuration = '', ...more } = rest;
-    return kind === 'pose' && hasNo(more) && TEXT[0](configuration, doc) && badPose('', rest) === null;
+    const { configuration = '', ...pose } = rest;
+    const isPose = kind === 'pose' && Object.keys(pose).every((name) => POSE_FIELDS.includes(name));
+    return isPose && TEXT[0](configuration, doc) && badPose('', pose) === null;
   },
   ({ robot: { joints } }) => `a posture of ${joints.length} joint values, the name of a target, or a pose`,
 ];

@@ -1,51 +1,8 @@
 /**
- * Motion programs: lists of moves and of what is done between them, in no controller's language, in the document's units. A
- * step keeps what a controller's statement carries (speed, acceleration, how it ends, tool, user frame), so that code can be
- * written from it.
+ * What is done to motion programs as a whole: every move changed, and who uses what.
  *
- * @import { Doc, PoseDoc, TargetDoc } from './document.js'
- *
- * @typedef {{ readonly kind: 'posture', readonly values: readonly number[] }} PostureTarget
- * @typedef {{ readonly kind: 'target', readonly id: string }} NamedTarget   one of the document's targets
- * @typedef {PoseDoc & { readonly kind: 'pose', readonly configuration?: string }} PoseTarget  in the step's user frame, or the world
- * @typedef {PostureTarget | NamedTarget | PoseTarget} StepTarget
- *
- * @typedef {{ readonly kind: 'fine' } | { readonly kind: 'percent' | 'distance', readonly value: number }} Ending
- *   fine: it stops there; else the corner is rounded, by a share or from that far away on
- *
- * @typedef {'trapezoid' | 'doubleS' | 'cubic' | 'quintic'} StepLaw
- * @typedef {'%' | 'length/s' | 'angle/s'} SpeedUnit  of the joint rates; of the tool's way; of its turn
- *
- * @typedef {object} MoveDoc
- * @property {string} id           unique in its program
- * @property {'joint' | 'linear' | 'circular'} kind
- * @property {StepTarget} target
- * @property {StepTarget} [via]    of a circular move, and only of it
- * @property {number} speed        of a joint move in %, of the others per second
- * @property {SpeedUnit} speedUnit
- * @property {number} acceleration  %
- * @property {Ending} ending
- * @property {StepLaw} [law]
- * @property {string} [tool]       the id of a tool in the document; absent: the active one
- * @property {string} [frame]      the id of a user frame that its poses are given in; absent: the world
- * @property {string} [comment]
- * @property {boolean} [disabled]
- *
- * @typedef {{ readonly id: string, readonly comment?: string, readonly disabled?: boolean }} Anything
- * @typedef {Anything & { readonly kind: 'wait', readonly seconds: number }} WaitDoc
- * @typedef {Anything & { readonly kind: 'set-output', readonly output: number, readonly value: Signal }} OutputDoc
- * @typedef {Anything & { readonly kind: 'wait-input', readonly input: number, readonly value: Signal }} InputDoc
- * @typedef {Anything & { readonly kind: 'call', readonly program: string }} CallDoc  by id: one of these programs, or one that only the controller has
- * @typedef {Anything & { readonly kind: 'label', readonly label: string }} LabelDoc
- * @typedef {{ readonly id: string, readonly kind: 'comment', readonly text: string, readonly disabled?: boolean }} CommentDoc
- * @typedef {'on' | 'off'} Signal
- *
- * @typedef {Readonly<MoveDoc>} MoveStep
- * @typedef {MoveStep | WaitDoc | OutputDoc | InputDoc | CallDoc | LabelDoc | CommentDoc} StepDoc
- * @typedef {StepDoc['kind']} StepKind
- * @typedef {{ readonly id: string, readonly name: string, readonly steps: readonly StepDoc[] }} MotionProgramDoc
+ * @import { Doc, MotionProgramDoc, MoveStep, StepDoc, StepTarget } from './document.js'
  */
-
 import { issue } from './refusalParts.js';
 
 /** @param {StepDoc} step @returns {step is MoveStep} */

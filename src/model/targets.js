@@ -3,8 +3,7 @@
  * which they then move. A target may say in which
  * configuration the arm stood when it was kept; whoever goes there again then takes the same one, if there is one.
  *
- * @import { Doc, PoseDoc, TargetDoc } from './document.js'
- * @import { StepTarget } from './motionProgram.js'
+ * @import { Doc, PoseDoc, StepTarget, TargetDoc } from './document.js'
  *
  * @typedef {{ type: 'add-target', pose: PoseDoc, frame?: string, configuration?: string }
  *   | { type: 'rename-target', index: number, id: string }

@@ -75,8 +75,9 @@ export function createTargetsPanel(page, host) {
       } else if (action === 'up') {
         say(attempt(page, { type: 'move-target', index, to: index - 1 }));
       } else if (action === 'remove') {
-        say(attempt(page, { type: 'remove-target', index }));
-        announce(TARGETS.removed(id));
+        const against = attempt(page, { type: 'remove-target', index });
+        say(against);
+        announce(against ?? TARGETS.removed(id));
       }
     })
     .on('change', 'input', ({ currentTarget: field }) => {

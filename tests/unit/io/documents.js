@@ -1,7 +1,6 @@
 /**
  * Arbitrary sound documents: hostile texts, odd numbers, all types, optional things there or not.
- * @import { ControllerDoc, Doc, FrameDoc, JointDoc, LinkDoc, PoseDoc, RobotInfo, TargetDoc } from '../../../src/model/document.js'
- * @import { MotionProgramDoc, StepDoc, StepTarget } from '../../../src/model/motionProgram.js'
+ * @import { ControllerDoc, Doc, FrameDoc, JointDoc, LinkDoc, MotionProgramDoc, PoseDoc, RobotInfo, StepDoc, StepTarget, TargetDoc } from '../../../src/model/document.js'
  */
 import fc from 'fast-check';
 import { STEP_LAWS } from '../../../src/model/documentRules.js';
@@ -179,7 +178,7 @@ const count = fc.integer({ min: 1, max: 1e9 });
 const percent = fc.double({ min: 5e-324, max: 100, noNaN: true });
 const aside = { id, comment: text(40), disabled: fc.boolean() };
 
-/** @type {fc.Arbitrary<import('../../../src/model/motionProgram.js').Ending>} */
+/** @type {fc.Arbitrary<import('../../../src/model/document.js').Ending>} */
 const ending = fc.oneof(
   fc.constant({ kind: /** @type {const} */ ('fine') }),
   record({ kind: fc.constant(/** @type {const} */ ('percent')), value: fc.double({ min: 0, max: 100, noNaN: true }) }),

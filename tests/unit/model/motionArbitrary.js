@@ -3,7 +3,7 @@ import fc from 'fast-check';
 
 /** @typedef {import('../../../src/model/motionCommands.js').MotionCommand} MotionCommand */
 /** @typedef {import('../../../src/model/motionCommands.js').NewStep} NewStep */
-/** @typedef {import('../../../src/model/motionProgram.js').StepTarget} StepTarget */
+/** @typedef {import('../../../src/model/document.js').StepTarget} StepTarget */
 
 const anyIndex = fc.integer({ min: -1, max: 3 });
 const anyText = fc.oneof(fc.constantFrom('', 'approach', '__proto__'), fc.string({ maxLength: 220 }));

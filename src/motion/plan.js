@@ -67,7 +67,7 @@
 import { requirePositive, requirePosture } from '../kinematics/checks.js';
 import { tcpPose } from '../kinematics/forward.js';
 import { followPath } from './followPath.js';
-import { straightPath } from './posturePath.js';
+import { pathMomentAt, straightPath } from './posturePath.js';
 import { restLaw } from './restLaw.js';
 import { timeLaw } from './timeLaw.js';
 import { arcPath, hasArc, linePath } from './toolPath.js';
@@ -197,14 +197,8 @@ function planToolMove(chain, from, move) {
   const length = quickest === 0 ? 0 : Math.max(quickest, SHORTEST);
   const acceleration = most / speed;
   const jerk = roundedJerk(name, acceleration);
-  return {
-    path: straightPath(
-      found.shares.map((share) => share * length),
-      found.postures,
-    ),
-    law: restLaw(name, length, { rate: 1, acceleration, jerk }),
-    to: found.postures[found.postures.length - 1],
-  };
+  const path = { ...found.path, knots: found.path.knots.map((share) => share * length) };
+  return { path, law: restLaw(name, length, { rate: 1, acceleration, jerk }), to: pathMomentAt(path, length).posture };
 }
 
 /**

@@ -9,6 +9,12 @@
  * @property {number} turn    rad, at most a half turn
  * @property {number} bend    1/m, of a circle; 0 for a line
  * @property {(share: number, out?: Pose) => Pose} poseAt
+ * @property {(share: number, first: Float64Array, second: Float64Array) => void} motionAt   fills 6 numbers each, linear part
+ *   first: the twist by the share, and its derivative
+ * @property {(from: number, to: number) => number} sixthOfPlace   m; between two shares, by how much of the way between them
+ *   is gone, no sixth derivative of the place is larger
+ * @property {(from: number, to: number, sums: Float64Array) => void} addTurning   likewise adds to sums[k] what k-th
+ *   derivatives the angles have by which the tool is turned
  *
  * @typedef {ToolPath & { center: number[], radius: number, normal: number[], sweep: number }} ArcPath  sweep: rad
  */
@@ -26,12 +32,20 @@ const FLAT = 1e-6;
  * @returns {ToolPath}
  */
 export function linePath(T_base_from, T_base_to) {
-  const { turn, turnTo } = turning(T_base_from, T_base_to);
+  const { turn, rotation, turnTo } = turning(T_base_from, T_base_to);
   const [from, to] = [pointOf(T_base_from), pointOf(T_base_to)];
+  const way = minus(to, from);
   return {
-    length: length(minus(to, from)),
+    length: length(way),
     turn,
     bend: 0,
+    motionAt(_, first, second) {
+      first.set(way);
+      first.set(rotation, 3);
+      second.fill(0);
+    },
+    sixthOfPlace: () => 0,
+    addTurning: (a, b, sums) => void (sums[1] += turn * (b - a)),
     poseAt: (share, out = new Float64Array(16)) =>
       turnTo(share, share === 1 ? to : from.map((x, k) => x + share * (to[k] - x)), out),
   };
@@ -58,7 +72,7 @@ export function hasArc(T_base_from, via, T_base_to) {
  * @throws {RangeError} when the three points lie on a line, or two are the same
  */
 export function arcPath(T_base_from, via, T_base_to) {
-  const { turn, turnTo } = turning(T_base_from, T_base_to);
+  const { turn, rotation, turnTo } = turning(T_base_from, T_base_to);
   const [from, to] = [pointOf(T_base_from), pointOf(T_base_to)];
   const [u, v] = [minus(Array.from(via), from), minus(to, from)];
   const across = cross(u, v);
@@ -91,6 +105,17 @@ export function arcPath(T_base_from, via, T_base_to) {
     radius,
     normal,
     sweep,
+    motionAt(share, first, second) {
+      const [c, s] = [radius * Math.cos(share * sweep), radius * Math.sin(share * sweep)];
+      for (let k = 0; k < 3; k++) {
+        first[k] = sweep * (c * f[k] - s * e[k]);
+        first[3 + k] = rotation[k];
+        second[k] = -sweep * sweep * (c * e[k] + s * f[k]);
+        second[3 + k] = 0;
+      }
+    },
+    sixthOfPlace: (a, b) => radius * (sweep * (b - a)) ** 6,
+    addTurning: (a, b, sums) => void (sums[1] += turn * (b - a)),
     poseAt(share, out = new Float64Array(16)) {
       const [c, s] = [radius * Math.cos(share * sweep), radius * Math.sin(share * sweep)];
       const place = share === 0 ? from : share === 1 ? to : center.map((x, k) => x + c * e[k] + s * f[k]);
@@ -113,7 +138,7 @@ function turning(T_base_from, T_base_to) {
     for (let k = 0; k < 3; k++) out[12 + k] = place[k];
     return out;
   }
-  return { turn: length([x, y, z]), turnTo };
+  return { turn: length([x, y, z]), rotation: [x, y, z], turnTo };
 }
 
 /** @param {ArrayLike<number>} T */

@@ -103,12 +103,12 @@ describe('joint moves', () => {
           planMomentAt(plan, 0).posture.forEach((value, i) => expect(value + 0).toBe(from[i] + 0));
           const ways = end.map((each, i) => Math.abs(each - from[i]));
           const longest = ways.indexOf(Math.max(...ways));
-          let used = 0;
+          let [used, astray] = [0, 0];
           for (let k = 0; k <= 40; k++) {
             const now = planMomentAt(plan, (plan.duration * k) / 40);
             const share = (now.posture[longest] - from[longest]) / (end[longest] - from[longest] || 1);
             for (const [i, { rate, acceleration, jerk }] of joints.entries()) {
-              expect(Math.abs(now.posture[i] - from[i] - share * (end[i] - from[i]))).toBeLessThan(1e-12);
+              astray = Math.max(astray, Math.abs(now.posture[i] - from[i] - share * (end[i] - from[i])));
               const jerks = law === 'trapezoid' || law === 'cubic' ? 0 : Math.abs(now.jerks[i]) / (0.5 * jerk);
               const rates = Math.abs(now.rates[i]) / (speed * rate);
               used = Math.max(used, jerks, rates, Math.abs(now.accelerations[i]) / (0.5 * acceleration));
@@ -116,10 +116,11 @@ describe('joint moves', () => {
             if (k === 40) end.forEach((wanted, i) => expect(Math.abs(now.posture[i] - wanted)).toBeLessThan(1e-9));
           }
           expect(used).toBeLessThan(1.001);
+          expect(astray).toBeLessThan(1e-12);
           if (plan.duration > 1e-6 && law !== 'cubic') expect(used).toBeGreaterThan(0.99);
         },
       ),
-      { seed: SEED, numRuns: runs(300) },
+      { seed: SEED, numRuns: runs(100) },
     );
   });
   test('a way too short for powers of its time to be numbers is covered within the limits all the same', () => {

@@ -3,6 +3,7 @@ import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { createChain } from '../../../src/kinematics/chain.js';
 import { followPath } from '../../../src/motion/followPath.js';
+import { pathMomentAt } from '../../../src/motion/posturePath.js';
 import { arcPath, linePath } from '../../../src/motion/toolPath.js';
 import { SEED, runs } from '../../helpers/property.js';
 import { angleBetween, arm, columnMajor, distanceBetween, oracleForward, rowsOf } from '../kinematics/oracle.js';
@@ -100,13 +101,13 @@ describe('the joints along a way', () => {
         if (found.status !== 'done') return;
         expect(found.positionDeviation).toBeLessThanOrEqual(1e-5);
         expect(found.turnDeviation).toBeLessThanOrEqual(0.01 * DEGREE);
-        expect([found.shares[0], found.shares.at(-1)]).toEqual([0, 1]);
-        for (let i = 1; i < found.shares.length; i++) {
+        const { knots } = found.path;
+        expect([knots[0], knots.at(-1)]).toEqual([0, 1]);
+        for (let i = 1; i < knots.length; i++) {
           for (const part of [0.1, 0.3, 0.5, 0.7, 0.9, 1]) {
-            const [a, b] = [found.postures[i - 1], found.postures[i]];
-            const between = [...a].map((value, k) => value + part * (b[k] - value));
-            const share = found.shares[i - 1] + part * (found.shares[i] - found.shares[i - 1]);
-            const [is, wanted] = [oracleForward(description, between).tcp, rowsOf(path.poseAt(share))];
+            const share = knots[i - 1] + part * (knots[i] - knots[i - 1]);
+            const is = oracleForward(description, pathMomentAt(found.path, share).posture).tcp;
+            const wanted = rowsOf(path.poseAt(share));
             expect(distanceBetween(is, wanted)).toBeLessThan(found.positionDeviation);
             expect(angleBetween(is, wanted)).toBeLessThan(found.turnDeviation);
           }

@@ -64,9 +64,6 @@ const messages = createMessages(shell.notices);
 const theme = createTheme(parameters.theme);
 /** Words for what the address got wrong are fetched when it did. */
 const parameterWords = () => import('./ui/parameterWarnings.js');
-if (refused.length > 0) {
-  parameterWords().then(({ refusedInWords }) => refusedInWords(refused).forEach(messages.warn), messages.fault);
-}
 
 /** @type {() => void} */
 let sayReady = () => {};
@@ -131,6 +128,7 @@ function stand(robot, isOther, link) {
   const announce = createAnnouncer();
   const page = { store, addView, derived, clock, announce, messages, opener: createOpener(store), camera };
 
+  if (refused.length > 0) parameterWords().then((words) => words.warnOfParameters(page, refused), messages.fault);
   const files = createFiles(page);
   const openHelp = async () => {
     const { showHelp } = await import('./ui/help.js'); // messages.js says it when that fails

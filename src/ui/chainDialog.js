@@ -11,7 +11,7 @@
 import './css/chainDialog.css';
 import { DH_FIELDS } from '../model/document.js';
 import { convertLength, toRadians } from '../model/units.js';
-import { DISMISSES, closeButton, openDialog } from './dialog.js';
+import { DISMISSES, dialogFoot, dialogHead, openDialog } from './dialog.js';
 import { fill, h, symbol } from './dom.js';
 import { compact, jointIcon, unitSign } from './format.js';
 import { icon } from './icons.js';
@@ -99,12 +99,7 @@ export function chooseChain({ name, readChain, onOpen }) {
     title: 'chain-title',
     fit: 'modal-dialog-centered modal-fullscreen-sm-down',
     content: [
-      h(
-        'div',
-        { class: 'row-flex dialog-head' },
-        h('div', { class: 'grow' }, h('h2', { id: 'chain-title' }, CHAIN.title(name)), question),
-        closeButton(),
-      ),
+      dialogHead('chain-title', CHAIN.title(name), { below: question }),
       h(
         'div',
         { class: 'chain-body' },
@@ -119,12 +114,7 @@ export function chooseChain({ name, readChain, onOpen }) {
         nearly,
         h('div', { role: 'status' }, result),
       ),
-      h(
-        'div',
-        { class: 'row-flex chain-foot' },
-        h('button', { ...DISMISSES, class: 'btn btn-outline' }, CHAIN.cancel),
-        open,
-      ),
+      dialogFoot(h('button', { ...DISMISSES, class: 'btn btn-outline' }, CHAIN.cancel), open),
     ],
     onShown: () => (open.disabled ? tip : open).focus(),
   });
@@ -151,10 +141,10 @@ function notLess(value) {
 const preview = ({ joints, units }) =>
   h(
     'div',
-    { class: 'chain-scroll' },
+    { class: 'dialog-scroll' },
     h(
       'table',
-      { class: 'chain-table', 'aria-label': CHAIN.result },
+      { class: 'dialog-table chain-table', 'aria-label': CHAIN.result },
       h(
         'thead',
         {},

@@ -1,6 +1,9 @@
 /**
  * A dialog over the page: in the document while it is open, and the focus goes back to where it was.
+ *
+ * @import { Child } from './dom.js'
  */
+import './css/dialogParts.css';
 import Modal from 'bootstrap/js/src/modal.js';
 import { h } from './dom.js';
 import { icon } from './icons.js';
@@ -12,6 +15,24 @@ export const DISMISSES = { type: 'button', 'data-bs-dismiss': 'modal' };
 /** The cross in a dialog's head. */
 export const closeButton = () =>
   h('button', { ...DISMISSES, class: 'btn btn-icon', 'aria-label': TEXT.close }, icon('close'));
+
+/**
+ * A dialog's first line: what it is about, and the cross.
+ * @param {string} id  of the heading
+ * @param {string} title
+ * @param {{ mark?: Child, below?: Child | readonly Child[] }} [more]  before the heading, and below it
+ */
+export const dialogHead = (id, title, { mark, below } = {}) =>
+  h(
+    'div',
+    { class: 'row-flex dialog-head' },
+    mark,
+    h('div', { class: 'grow' }, h('h2', { id }, title), below),
+    closeButton(),
+  );
+
+/** A dialog's last line: what can be done. @param {...Child} content */
+export const dialogFoot = (...content) => h('div', { class: 'row-flex dialog-foot' }, content);
 
 /**
  * @param {object} given

@@ -5,7 +5,7 @@
  * @import { Issue } from '../model/issues.js'
  */
 import { copyText } from './clipboard.js';
-import { DISMISSES, closeButton, openDialog } from './dialog.js';
+import { DISMISSES, dialogFoot, dialogHead, openDialog } from './dialog.js';
 import { h } from './dom.js';
 import { icon } from './icons.js';
 import { TEXT } from './strings.js';
@@ -40,24 +40,16 @@ export function showReport({ name, robotName, isOpened, issues, text, again, ann
     name: 'file-report takes-files',
     title: 'report-title',
     content: [
-      h(
-        'div',
-        { class: 'row-flex dialog-head' },
-        icon(isOpened ? 'exclamation' : 'fileX', isOpened ? 'i-l warn' : 'i-l bad'),
-        h(
-          'div',
-          { class: 'grow' },
-          h('h2', { id: 'report-title' }, title),
-          isOpened ? null : h('p', { class: 'soft' }, ARRIVAL.stillHere(robotName)),
-        ),
-        closeButton(),
-      ),
+      dialogHead('report-title', title, {
+        mark: icon(isOpened ? 'exclamation' : 'fileX', isOpened ? 'i-l warn' : 'i-l bad'),
+        below: isOpened ? null : h('p', { class: 'soft' }, ARRIVAL.stillHere(robotName)),
+      }),
       h(
         'ul',
         { class: 'issues' },
         issues.map((issue) => issueItem(issue, text)),
       ),
-      h('div', { class: 'row-flex' }, copy, h('span', { class: 'grow' }), done, isOpened ? null : another),
+      dialogFoot(copy, h('span', { class: 'grow' }), done, isOpened ? null : another),
     ],
   });
 }

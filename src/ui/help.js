@@ -5,7 +5,7 @@
  * @import { Shortcut } from './shortcuts.js'
  */
 import './css/help.css';
-import { closeButton, openDialog } from './dialog.js';
+import { dialogHead, openDialog } from './dialog.js';
 import { h } from './dom.js';
 import { HELP } from './words/help.js';
 
@@ -21,12 +21,7 @@ export function showHelp({ version, shortcuts }) {
     title: 'help-title',
     fit: 'modal-fullscreen-sm-down',
     content: [
-      h(
-        'div',
-        { class: 'row-flex dialog-head' },
-        h('h2', { class: 'grow', id: 'help-title' }, HELP.title),
-        closeButton(),
-      ),
+      dialogHead('help-title', HELP.title),
       h(
         'div',
         { class: 'help-text', tabindex: 0, role: 'region', 'aria-label': HELP.title },

@@ -18,7 +18,12 @@ export const placeMenu = (button) => plugin?.getInstance(button)?.update();
  * @param {[number, number]} [offset]  of the menu from the button, px
  */
 export function giveMenu(button, offset = [0, 2]) {
-  button.dataset.bsToggle = 'dropdown';
+  // As attributes: once the plugin is here, Bootstrap hears of a click before the button does, and makes the menu itself.
+  Object.assign(button.dataset, {
+    bsToggle: 'dropdown',
+    bsOffset: offset.join(),
+    bsPopperConfig: '{"strategy":"fixed"}', // over the edges of what scrolls
+  });
   button.setAttribute('aria-expanded', 'false');
 
   const warm = () => void fetchPlugin().catch(() => {}); // whoever presses the button is told
@@ -26,8 +31,7 @@ export function giveMenu(button, offset = [0, 2]) {
   button.addEventListener('focus', warm, { once: true });
 
   /** @param {typeof Dropdown} Plugin */
-  const menuBy = (Plugin) =>
-    Plugin.getInstance(button) ?? new Plugin(button, { offset, popperConfig: { strategy: 'fixed' } });
+  const menuBy = (Plugin) => Plugin.getInstance(button) ?? new Plugin(button);
 
   let isAwaited = false;
   /** @param {Event} event @param {string} [selector] what to go to in the menu */

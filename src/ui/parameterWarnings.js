@@ -3,11 +3,18 @@
  *
  * @import { Refused } from '../io/queryParameters.js'
  * @import { StartFault } from '../model/startDocument.js'
+ * @import { Page } from './page.js'
  */
+import { nearestNames } from './nearestNames.js';
+import { showNote } from './note.js';
+import { TEXT } from './strings.js';
 import { PARAMETER } from './words/parameters.js';
 
 const LONGEST_TEXT = 60;
 const MOST_NAMES = 4;
+
+/** More that might be written are not listed: only what is near to what was. */
+const MOST_VALUES = 12;
 
 /** @param {string} text */
 const short = (text) => (text.length > LONGEST_TEXT ? `${text.slice(0, LONGEST_TEXT)}…` : text);
@@ -21,13 +28,34 @@ export function refusedInWords(refused) {
   const sentences = refused.flatMap(({ why, name, text, kind, values = [], initial }) => {
     if (why === 'unknown') return [];
     if (why === 'twice') return [PARAMETER.twice(name, short(text))];
-    const expected = kind && PARAMETER.expected[kind](values);
     const using = initial && PARAMETER.using(initial);
-    return [[PARAMETER.notUnderstood(name, short(text)), expected, using].filter(Boolean).join(' ')];
+    return [
+      [PARAMETER.notUnderstood(name, short(text)), expected(kind, text, values), using].filter(Boolean).join(' '),
+    ];
   });
   if (unknown.length === 0) return sentences;
   return [...sentences, PARAMETER.unknown(unknown.slice(0, MOST_NAMES), Math.max(0, unknown.length - MOST_NAMES))];
 }
+
+/** @param {Refused['kind']} kind @param {string} text @param {readonly string[]} values */
+function expected(kind, text, values) {
+  if (kind === undefined) return '';
+  if (kind !== 'one' || values.length <= MOST_VALUES) return PARAMETER.expected[kind](values);
+  const near = nearestNames(text, values);
+  return near.length > 0 && PARAMETER.nearest(near);
+}
+
+/** @param {Page} page @param {readonly Refused[]} refused */
+export function warnOfParameters(page, refused) {
+  for (const one of refusedInWords(refused.filter(isOtherRobot))) {
+    const run = async () => (await import('./robotPicker.js')).openRobotPicker(page); // messages.js says it when that fails
+    showNote(page, { text: one, close: TEXT.close, isWarning: true, actions: [{ name: PARAMETER.seeAll, run }] });
+  }
+  refusedInWords(refused.filter((one) => !isOtherRobot(one))).forEach(page.messages.warn);
+}
+
+/** A robot was asked for that is none of the library. @param {Refused} refused */
+const isOtherRobot = ({ why, name }) => name === 'robot' && why === 'not-understood';
 
 /** @param {StartFault} fault @param {string} robot its name */
 export function startFaultInWords(fault, robot) {

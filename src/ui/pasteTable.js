@@ -13,7 +13,7 @@ import { DH_FIELDS } from '../model/document.js';
 import { ANGLE_UNITS, CONVENTIONS, LENGTH_UNITS } from '../model/documentRules.js';
 import './css/typedIn.css';
 import './css/pasteTable.css';
-import { DISMISSES, closeButton, openDialog } from './dialog.js';
+import { DISMISSES, dialogFoot, dialogHead, openDialog } from './dialog.js';
 import { fill, h } from './dom.js';
 import { compact, plain } from './format.js';
 import { icon } from './icons.js';
@@ -50,7 +50,7 @@ export function openPasteTable(page, pasted, cell) {
     fill: cell && start >= 0 ? PASTE.fill(`J${cell.joint + 1} ${PASTE.role[/** @type {DhField} */ (cell.field)]}`) : '',
   });
   scope.element.hidden = !cell || start < 0;
-  const table = h('table', { class: 'paste-preview', 'aria-label': PASTE.preview });
+  const table = h('table', { class: 'dialog-table paste-preview', 'aria-label': PASTE.preview });
   const outcome = h('div', { class: 'paste-outcome', role: 'status' });
   const apply = h('button', { type: 'button', class: 'btn btn-primary' }, PASTE.apply);
   const cancel = h('button', { ...DISMISSES, class: 'btn btn-outline' }, PASTE.cancel);
@@ -164,7 +164,7 @@ export function openPasteTable(page, pasted, cell) {
     title: 'paste-title',
     fit: 'modal-dialog-centered modal-fullscreen-sm-down',
     content: [
-      h('div', { class: 'row-flex paste-head' }, h('h2', { id: 'paste-title' }, PASTE.title), closeButton()),
+      dialogHead('paste-title', PASTE.title),
       h(
         'div',
         { class: 'paste-body' },
@@ -176,10 +176,10 @@ export function openPasteTable(page, pasted, cell) {
           { class: 'paste-options' },
           [scope, length, angle, convention].map(({ element }) => element),
         ),
-        h('div', { class: 'paste-scroll' }, table),
+        h('div', { class: 'dialog-scroll' }, table),
         outcome,
       ),
-      h('div', { class: 'row-flex paste-foot' }, cancel, apply),
+      dialogFoot(cancel, apply),
     ],
     onShown: () => (now.plan && !apply.disabled ? apply : text).focus(),
   });

@@ -8,7 +8,7 @@
  */
 import './css/postureTable.css';
 import { planPostures } from '../model/posturePlan.js';
-import { DISMISSES, closeButton, openDialog } from './dialog.js';
+import { DISMISSES, dialogFoot, dialogHead, openDialog } from './dialog.js';
 import { fill, h } from './dom.js';
 import { compact } from './format.js';
 import { icon } from './icons.js';
@@ -32,7 +32,7 @@ export function openPostureTable(page, name, { rows, hasHead, unused }) {
   const inUnits = [
     ...new Set(joints.map(({ type }) => (type === 'prismatic' ? units.length : units.angle))), // in the order of joints
   ].join(', ');
-  const table = h('table', { class: 'posture-table', 'aria-label': POSTURES.preview });
+  const table = h('table', { class: 'dialog-table posture-table', 'aria-label': POSTURES.preview });
   const outcome = h('p', { class: 'sm', role: 'status' });
   const apply = h('button', { type: 'button', class: 'btn btn-primary' });
   const mode = segments(POSTURES.mode, ['add', 'replace'], POSTURES.modes, (value) => {
@@ -91,31 +91,20 @@ export function openPostureTable(page, name, { rows, hasHead, unused }) {
     title: 'postures-title',
     fit: 'modal-dialog-centered modal-fullscreen-sm-down',
     content: [
-      h(
-        'div',
-        { class: 'row-flex dialog-head' },
-        h(
-          'div',
-          { class: 'grow' },
-          h('h2', { id: 'postures-title' }, POSTURES.title(name)),
+      dialogHead('postures-title', POSTURES.title(name), {
+        below: [
           h('p', { class: 'soft' }, hasHead ? POSTURES.read(rows.length, inUnits) : POSTURES.noUnits(inUnits)),
           unused.length > 0 && h('p', { class: 'soft' }, POSTURES.unused(unused.join(', '))),
-        ),
-        closeButton(),
-      ),
+        ],
+      }),
       h(
         'div',
         { class: 'posture-body' },
         h('div', { class: 'row-flex' }, h('span', { class: 'soft' }, POSTURES.mode), mode.element),
-        h('div', { class: 'posture-scroll' }, table),
+        h('div', { class: 'dialog-scroll posture-scroll' }, table),
         outcome,
       ),
-      h(
-        'div',
-        { class: 'row-flex posture-foot' },
-        h('button', { ...DISMISSES, class: 'btn btn-outline' }, POSTURES.cancel),
-        apply,
-      ),
+      dialogFoot(h('button', { ...DISMISSES, class: 'btn btn-outline' }, POSTURES.cancel), apply),
     ],
     onShown: () => apply.focus(),
   });

@@ -17,7 +17,7 @@ import './css/saveAs.css';
 import { EXPORT_FORMATS } from '../io/exportFormats.js';
 import { POSTURE_CSV } from '../io/postureCsv.js';
 import { copyText } from './clipboard.js';
-import { DISMISSES, closeButton, openDialog } from './dialog.js';
+import { DISMISSES, dialogFoot, dialogHead, openDialog } from './dialog.js';
 import { fill, h } from './dom.js';
 import { download } from './download.js';
 import { fixed } from './format.js';
@@ -132,16 +132,14 @@ export function openSaveAs(page, { robotFile, takePicture }) {
     title: 'save-title',
     fit: 'modal-dialog-centered modal-fullscreen-sm-down',
     content: [
-      h('div', { class: 'row-flex save-head' }, h('h2', { id: 'save-title' }, SAVE_AS.title), closeButton()),
+      dialogHead('save-title', SAVE_AS.title),
       h(
         'div',
         { class: 'save-body' },
         h('div', { class: 'save-formats', role: 'radiogroup', 'aria-label': SAVE_AS.format }, choices),
         about,
       ),
-      h(
-        'div',
-        { class: 'row-flex save-foot' },
+      dialogFoot(
         h('span', { class: 'save-name grow' }, name, ' ', size),
         copy,
         h('button', { ...DISMISSES, class: 'btn btn-outline' }, SAVE_AS.cancel),

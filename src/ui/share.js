@@ -7,7 +7,7 @@
 import './css/typedIn.css';
 import './css/share.css';
 import { copyText } from './clipboard.js';
-import { closeButton, openDialog } from './dialog.js';
+import { dialogFoot, dialogHead, openDialog } from './dialog.js';
 import { fill, h } from './dom.js';
 import { icon } from './icons.js';
 import { shareAddress } from './shareAddress.js';
@@ -65,15 +65,10 @@ export function openShare(page, files) {
     name: 'share',
     title: 'share-title',
     content: [
-      h(
-        'div',
-        { class: 'row-flex dialog-head' },
-        h('h2', { class: 'grow', id: 'share-title' }, SHARE.title(robot.name || TEXT.unnamedRobot)),
-        closeButton(),
-      ),
+      dialogHead('share-title', SHARE.title(robot.name || TEXT.unnamedRobot)),
       h('p', { class: 'soft' }, SHARE.what),
       h('div', { class: 'share-body' }, text, length, h('div', { class: 'share-with' }, view, panels)),
-      h('div', { class: 'row-flex share-foot' }, file, h('span', { class: 'grow' }), copy),
+      dialogFoot(file, h('span', { class: 'grow' }), copy),
     ],
     onShown: () => copy.focus(),
   });

@@ -27,6 +27,11 @@ test('every menu is accessible when it is open', async ({ page }) => {
       box && box.x >= 0 && box.y >= 0 && box.x + box.width <= 1366 && box.y + box.height <= 768,
       `${name} fits`,
     ).toBe(true);
+    const isCut = await menu.evaluate((list) => {
+      const { left, right, top, bottom } = list.getBoundingClientRect();
+      return [top + 9, bottom - 9].some((y) => !list.contains(document.elementFromPoint((left + right) / 2, y)));
+    });
+    expect(isCut, `${name} is cut off`).toBe(false);
     await page.keyboard.press('Escape');
     await expect(menu).toHaveCount(0);
     await expect(button).toBeFocused();

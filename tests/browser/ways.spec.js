@@ -216,7 +216,7 @@ test('the scene is saved as a picture, with its labels, on a ground or on none',
   await page.getByRole('button', { name: /^Save as/ }).click();
   const dialog = page.getByRole('dialog');
   await dialog.getByRole('radio', { name: /^Picture of the scene/ }).check();
-  await expect(dialog.locator('.save-foot')).toContainText(/\d+ × \d+ pixels/);
+  await expect(dialog.locator('.dialog-foot')).toContainText(/\d+ × \d+ pixels/);
   await dialog.getByLabel('Background').uncheck();
   await dialog.getByLabel('Floor').uncheck();
   const coming = page.waitForEvent('download');

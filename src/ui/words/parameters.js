@@ -12,6 +12,8 @@ export const PARAMETER = {
     units: () => 'Expected a unit of length (mm, cm or m), one of angle (deg or rad), or both as in mm,deg.',
     numbers: () => 'Expected a number for each joint, with commas between, as in 0,45,-90.',
   },
+  nearest: (/** @type {readonly string[]} */ names) => `Did you mean ${either(names)}?`,
+  seeAll: 'See all robots',
   using: (/** @type {string} */ initial) => `Using ${initial}.`,
   twice: (/** @type {string} */ name, /** @type {string} */ text) =>
     `?${name} is given twice; the first counts: ${text}.`,

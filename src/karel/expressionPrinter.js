@@ -4,10 +4,10 @@
  *
  *   NOT · : @ # · * / AND DIV MOD · + - OR, signs · < > = <> <= >= >=<
  *
- * @import { Binary, BinaryOperator, Call, Expression, Index, Unary } from './tree.js'
+ * @import { Binary, BinaryOperator, Call, Designator, Expression, Range, Unary } from './tree.js'
  */
 import { integerText, realText } from './numberText.js';
-import { identifier, quoted } from './words.js';
+import { identifier, quoted, referenceName, word } from './words.js';
 
 /** Where a long line may be broken. The printer takes these out again; no text that comes in can hold one. */
 export const BREAK = '\0';
@@ -47,9 +47,10 @@ export function expressionText(expression) {
     case 'string':
       return quoted(expression.value);
     case 'name':
-      return identifier(expression.name);
+    case 'system':
     case 'index':
-      return indexText(expression);
+    case 'field':
+      return designatorText(expression);
     case 'call':
       if (expression.args.length > 0) return callText(expression);
       throw new RangeError(`Expected arguments for "${expression.name}"; without any, its value is a name.`);
@@ -73,10 +74,41 @@ export function callText({ name, args }) {
   return args.length ? `${identifier(name)}(${listText(args.map(expressionText))})` : identifier(name);
 }
 
-/** @param {Index} index */
-export function indexText({ target, indices }) {
-  if (indices.length < 1 || indices.length > 3) throw new RangeError(`Expected 1 to 3 indices, got ${indices.length}.`);
-  return `${identifier(target.name)}[${listText(indices.map(expressionText))}]`;
+/** What can be assigned to: a name, with indices and fields. @param {Designator} designator @returns {string} */
+export function designatorText(designator) {
+  switch (designator.kind) {
+    case 'name':
+      return referenceName(designator.name);
+    case 'system':
+      return `$${word(designator.name)}`;
+    case 'field':
+      return `${designatorText(designator.target)}.${designator.system ? '$' : ''}${word(designator.name)}`;
+    case 'index': {
+      const { target, indices } = designator;
+      if (indices.length < 1 || indices.length > 3) {
+        throw new RangeError(`Expected 1 to 3 indices, got ${indices.length}.`);
+      }
+      return `${designatorText(target)}[${listText(indices.map(expressionText))}]`;
+    }
+    default: {
+      /** @type {never} */
+      const unknown = designator;
+      throw new TypeError(`Expected a variable, got ${JSON.stringify(unknown)}.`);
+    }
+  }
+}
+
+/** A path, or a part of it. @param {Designator | Range} part */
+export const pathPartText = (part) =>
+  part.kind === 'range'
+    ? `${designatorText(part.target)}[${expressionText(part.from)}..${expressionText(part.to)}]`
+    : designatorText(part);
+
+/** A term of a condition, between AND and OR that are no operators. @param {Expression} term */
+export function termText(term) {
+  if (term.kind !== 'binary') return operandText(term, 1);
+  if (LEVEL[term.operator] !== RELATION_LEVEL) return `(${expressionText(term)})`;
+  return `${operandText(term.left, 1)} ${term.operator} ${BREAK}${operandText(term.right, 1)}`;
 }
 
 /**

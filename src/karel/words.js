@@ -29,7 +29,7 @@ const IDENTIFIER = /^[A-Za-z][A-Za-z0-9_]*$/;
 
 /** Types whose names are reserved words. */
 const TYPE_WORD =
-  /^(BOOLEAN|BYTE|CONFIG|FILE|INTEGER|JOINTPOS[1-9]?|MODEL|POSITION|REAL|SHORT|VECTOR|VIS_PROCESS|XYZWPR|XYZWPREXT|CAM_SETUP|COMMON_ASSOC|GROUP_ASSOC)$/;
+  /^(BOOLEAN|BYTE|PATH|CONFIG|FILE|INTEGER|JOINTPOS[1-9]?|MODEL|POSITION|REAL|SHORT|VECTOR|VIS_PROCESS|XYZWPR|XYZWPREXT|CAM_SETUP|COMMON_ASSOC|GROUP_ASSOC)$/;
 
 /** What ends a line or is no character at all. A tab is neither. */
 const UNPRINTABLE = /[\p{Cs}\u2028\u2029]|[^\P{Cc}\t]/u;
@@ -39,6 +39,12 @@ export const MAX_STRING_LENGTH = 254;
 /** Whether a word already means something in the language. @param {string} word */
 export const isTakenWord = (word) => RESERVED.has(word.toUpperCase()) || PREDEFINED.has(word.toUpperCase());
 
+/** @param {string} word  in any case */
+export const isReserved = (word) => RESERVED.has(word.toUpperCase());
+
+/** @param {string} text  whether it is a type of the language */
+export const isTypeWord = (text) => TYPE_WORD.test(text.toUpperCase());
+
 /** @param {string} text  @returns {string} the text itself, if it can name something */
 export function identifier(text) {
   if (IDENTIFIER.test(text) && !RESERVED.has(text.toUpperCase())) return text;
@@ -46,6 +52,12 @@ export function identifier(text) {
     `Expected a KAREL identifier (a letter, then letters, digits or _, no reserved word), got ${JSON.stringify(text)}.`,
   );
 }
+
+/** A word of the language that is also a name: the condition ERROR. */
+export const NAMES_ALL_THE_SAME = new Set(['ERROR']);
+
+/** @param {string} text  @returns {string} the text itself, if a value can be called so */
+export const referenceName = (text) => (NAMES_ALL_THE_SAME.has(text.toUpperCase()) ? text : identifier(text));
 
 /** @param {string} text  @returns {string} the text itself, if it can name a type */
 export const typeName = (text) => (TYPE_WORD.test(text.toUpperCase()) ? text : identifier(text));
@@ -68,4 +80,13 @@ export function quoted(text) {
     throw new RangeError(`Expected a string of at most ${MAX_STRING_LENGTH} characters, got ${text.length}.`);
   }
   return `'${oneLine(text).replaceAll("'", "''")}'`;
+}
+
+/** A path of a file, with \ or / and a device; what would begin a comment or a string is none. @param {string} text */
+export const isIncludePath = (text) => /^(?!.*--)[^\s'"%;,&]+$/.test(text);
+
+/** @param {string} text @returns {string} the text itself, if it can be the path of a file */
+export function includePath(text) {
+  if (isIncludePath(text)) return text;
+  throw new RangeError(`Expected the path of a file, got ${JSON.stringify(text)}.`);
 }

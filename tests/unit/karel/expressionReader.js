@@ -91,9 +91,12 @@ export function shapeOf(tree) {
     case 'name':
       return tree.name;
     case 'index':
-      return { head: 'index', parts: [tree.target.name, ...tree.indices.map(shapeOf)] };
+      return { head: 'index', parts: [shapeOf(tree.target), ...tree.indices.map(shapeOf)] };
     case 'call':
       return { head: 'call', parts: [tree.name, ...tree.args.map(shapeOf)] };
+    case 'field':
+    case 'system':
+      throw new Error(`This reader knows no ${tree.kind}.`);
     case 'unary':
       return { head: tree.operator, parts: [shapeOf(tree.operand)] };
     case 'binary':

@@ -147,7 +147,7 @@ function stand(robot, isOther, link) {
     ({ tab }) => tab === 'program',
     async () => {
       const { createProgramPanel } = await import('./ui/programPanel.js');
-      return (host) => createProgramPanel(page, host);
+      return (host) => createProgramPanel(page, host, files);
     },
   );
   lazyPanel(

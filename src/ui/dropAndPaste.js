@@ -1,10 +1,12 @@
 /**
- * Files dropped anywhere on the page, and files or robot files' text pasted where no field has the focus. What a person
- * drags about inside the page, and text on its way into a field, is left alone.
+ * Files dropped anywhere on the page, and files or robot files' text pasted where no field has the focus; in a field a robot
+ * file's text is offered to be opened. What a person drags about inside the page, and other text on its way into a field, is
+ * left alone.
  *
  * @import { Files } from './files.js'
  * @import { Page } from './page.js'
  */
+import { looksLikeRobotFile } from './robotFileText.js';
 import { TEXT_FIELDS } from './shortcuts.js';
 
 /** While something is held over the page, the browser says so at least this often; not every end of it is told. */
@@ -17,7 +19,8 @@ const isBarred = () => document.querySelector('.modal:not(.takes-files)') !== nu
 const isField = (target) => target instanceof Element && target.closest(TEXT_FIELDS) !== null;
 
 /** @param {Page} page @param {Files} files */
-export function watchDropAndPaste({ clock }, files) {
+export function watchDropAndPaste(page, files) {
+  const { clock, messages } = page;
   let isOwn = false; // a drag that began in the page
   window.addEventListener('dragstart', () => (isOwn = true), true);
   // Its end is not always told; but while anything is dragged there are no pointer's events.
@@ -79,9 +82,12 @@ export function watchDropAndPaste({ clock }, files) {
 
   document.addEventListener('paste', (event) => {
     const { clipboardData: data, target } = event;
-    if (!data || event.defaultPrevented || isField(target) || isField(document.activeElement) || isBarred()) return;
+    if (!data || event.defaultPrevented || isBarred()) return;
     const text = data.getData('text/plain');
-    if (data.files.length > 0) void files.take({ files: [...data.files], way: 'pasted' });
+    if (isField(target) || isField(document.activeElement)) {
+      if (!looksLikeRobotFile(text)) return;
+      import('./offerPasted.js').then(({ offerPasted }) => offerPasted(page, files, text), messages.fault);
+    } else if (data.files.length > 0) void files.take({ files: [...data.files], way: 'pasted' });
     else if (/^\s*<|#model=/.test(text)) void files.take({ files: [], text, way: 'pasted' });
     else return;
     event.preventDefault();

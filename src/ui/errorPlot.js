@@ -8,7 +8,7 @@
  */
 import { PLOTTED } from '../model/quotients.js';
 import { fill, h } from './dom.js';
-import { createPlotSaver } from './savePlot.js';
+import { plotSavers, standalone } from './savePlot.js';
 import { powerOfTen, stepText, tiny } from './scientific.js';
 import { svg } from './svg.js';
 import { JACOBIAN } from './words/jacobian.js';
@@ -132,7 +132,11 @@ export function createErrorPlot(page) {
       /** @type {Node} */ (picture),
       sentence,
       table,
-      createPlotSaver(page, PLOT.errorFile, picture, SIZE),
+      h(
+        'div',
+        { class: 'row-flex' },
+        plotSavers(page, PLOT.errorFile, () => standalone(picture, SIZE)),
+      ),
     ),
     /**
      * @param {Curves} curves

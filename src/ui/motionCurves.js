@@ -3,13 +3,16 @@
  * tool. Curves differ by colour, by dash and by the name at their end.
  *
  * @import { MotionLog } from '../model/motionLog.js'
+ * @import { Marks } from './motionDrawing.js'
  */
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 import { plain } from './format.js';
+import { motionDrawing } from './motionDrawing.js';
 
 const HEIGHT = { joints: 170, speed: 104 };
 const NAME_ROOM = 26; // px, at the right
+const RIGHT_AXIS = 52; // px
 const NAME_STEP = 12; // px from name to name
 const DASHES = [[], [], [8, 3], [7, 4], [2, 3], [9, 3, 2, 3]];
 
@@ -25,13 +28,21 @@ export const styleOf = (i) => ({ token: `--j${(i % 6) + 1}`, dash: DASHES[i % DA
  *   `least`: how much a scale shows at least of what hardly changes, in document units
  */
 export function createMotionCurves(host, { names, slides, window, least: smallest, words }) {
-  /** @param {object} [more] @returns {uPlot.Axis} */
-  const axis = (more) => ({
+  /** What each axis was drawn with. @type {WeakMap<uPlot, Marks[]>} */
+  const marks = new WeakMap();
+  /** @param {object} [more] @param {boolean} [hasTexts] @returns {uPlot.Axis} */
+  const axis = (more, hasTexts = true) => ({
     stroke: () => token('--ink-2'),
     font: font(),
     grid: { stroke: () => token('--line'), width: 1 },
     ticks: { show: false },
-    values: (_, splits) => splits.map((value) => plain(Number(value.toPrecision(9)))),
+    values(plot, splits, i) {
+      const texts = hasTexts ? splits.map((value) => plain(Number(value.toPrecision(9)))) : [];
+      const all = marks.get(plot) ?? [];
+      all[i] = { splits: [...splits], texts };
+      marks.set(plot, all);
+      return texts;
+    },
     ...more,
   });
   const shared = {
@@ -63,9 +74,9 @@ export function createMotionCurves(host, { names, slides, window, least: smalles
         slide: { range: rangeY(smallest.slide) },
       },
       axes: [
-        axis({ size: 18, values: () => [] }),
+        axis({ size: 18 }, false),
         axis({ scale: slides.every(Boolean) ? 'slide' : 'turn', size: 44 }),
-        ...(hasRight ? [axis({ scale: 'slide', side: 1, size: 52, grid: { show: false } })] : []),
+        ...(hasRight ? [axis({ scale: 'slide', side: 1, size: RIGHT_AXIS, grid: { show: false } })] : []),
       ],
       series: [
         {},
@@ -85,7 +96,7 @@ export function createMotionCurves(host, { names, slides, window, least: smalles
       ...shared,
       width: 100,
       height: HEIGHT.speed,
-      padding: [6, NAME_ROOM, 0, 0],
+      padding: [6, hasRight ? RIGHT_AXIS : NAME_ROOM, 0, 0], // one time, one scale
       scales: { x: { time: false, range: rangeX }, y: { range: (plot, least, most) => [0, 1.1 * (most || 1)] } },
       axes: [
         axis({ size: 17, gap: 2, space: 40, label: words.seconds, labelSize: 14, labelGap: 0, labelFont: font() }),
@@ -104,10 +115,9 @@ export function createMotionCurves(host, { names, slides, window, least: smalles
     host,
   );
 
-  /** At the end of each curve its name, as near to it as its neighbours leave room. @param {uPlot} plot */
-  function writeNames(plot) {
-    const { ctx, bbox, data } = plot;
-    const ratio = uPlot.pxRatio;
+  /** Where the names of the curves stand: at their ends, as near as their neighbours leave room. @param {uPlot} plot */
+  function namesOf(plot) {
+    const { bbox, data } = plot;
     const ends = names
       .flatMap((name, i) => {
         const column = /** @type {(number | null)[]} */ (data[i + 1]);
@@ -116,17 +126,24 @@ export function createMotionCurves(host, { names, slides, window, least: smalles
         return [{ name, y: plot.valToPos(value, slides[i] ? 'slide' : 'turn', true) }];
       })
       .sort((one, other) => one.y - other.y);
-    const step = NAME_STEP * ratio;
+    const step = NAME_STEP * uPlot.pxRatio;
     ends.forEach((end, i) => (end.y = Math.max(end.y, i > 0 ? ends[i - 1].y + step : bbox.top + step / 2)));
     ends.reverse().forEach((end, i) => {
       end.y = Math.min(end.y, i > 0 ? ends[i - 1].y - step : bbox.top + bbox.height - step / 2);
     });
+    return ends;
+  }
+
+  /** @param {uPlot} plot */
+  function writeNames(plot) {
+    const { ctx, bbox } = plot;
+    const ratio = uPlot.pxRatio;
     ctx.save();
     ctx.font = `600 ${11 * ratio}px ${token('--font-ui')}`;
     ctx.fillStyle = token('--ink');
     ctx.textBaseline = 'middle';
     const inside = hasRight ? -20 : 5;
-    for (const { name, y } of ends) ctx.fillText(name, bbox.left + bbox.width + inside * ratio, y);
+    for (const { name, y } of namesOf(plot)) ctx.fillText(name, bbox.left + bbox.width + inside * ratio, y);
     ctx.restore();
   }
 
@@ -153,6 +170,15 @@ export function createMotionCurves(host, { names, slides, window, least: smalles
       if (curve < names.length) joints.setSeries(curve + 1, { show: isShown });
       else speed.setSeries(1, { show: isShown });
     },
+    /** The same as an SVG. @param {{ joints: string, speed: string }} captions */
+    drawing: (captions) =>
+      motionDrawing(
+        [
+          { plot: joints, marks: marks.get(joints) ?? [], names: namesOf(joints), caption: captions.joints },
+          { plot: speed, marks: marks.get(speed) ?? [], names: [], caption: captions.speed, below: words.seconds },
+        ],
+        token,
+      ),
     dispose() {
       for (const plot of both) plot.destroy();
     },

@@ -18,7 +18,7 @@ import { jointNumbers } from './jointNumbers.js';
 import { createMotionCurves, styleOf } from './motionCurves.js';
 import { TEXT } from './strings.js';
 import { svg } from './svg.js';
-import { createCanvasSaver } from './savePlot.js';
+import { plotSavers } from './savePlot.js';
 import { MOTION } from './words/motion.js';
 import { PLOT } from './words/plot.js';
 
@@ -47,8 +47,14 @@ export function createMotionPlot(page, host) {
     body,
   );
   const full = h('div', {}, stage, table);
-  const save = createCanvasSaver(page, PLOT.motionFile, () => [...stage.querySelectorAll('canvas')]);
-  fill(host, empty, full, h('div', { class: 'motion-buttons' }, pause, clear, copy, save));
+  const savers = plotSavers(page, PLOT.motionFile, () => {
+    const { joints, speedUnit } = curvesOf();
+    const units = [...new Set(joints.map(({ unit }) => unitSign(unit)))].join(', ');
+    const captions = { joints: MOTION.axis(units), speed: MOTION.csvColumn(MOTION.speedName, speedUnit) };
+    if (!curves) throw new Error('Nothing is drawn yet.'); // the buttons are off until then
+    return curves.drawing(captions);
+  });
+  fill(host, empty, full, h('div', { class: 'motion-buttons' }, pause, clear, copy, savers));
 
   let isOpen = false;
   let isPaused = false;
@@ -130,7 +136,7 @@ export function createMotionPlot(page, host) {
     const isEmpty = !recording || recording.log.time.length === 0;
     empty.hidden = !isEmpty;
     full.hidden = isEmpty;
-    clear.disabled = copy.disabled = save.disabled = isEmpty;
+    for (const each of [clear, copy, ...savers]) each.disabled = isEmpty;
   }
 
   function draw() {

@@ -1,6 +1,7 @@
 /**
  * The recorded postures, in the order in which a program visits them.
  *
+ * @import { Files } from './files.js'
  * @import { Page } from './page.js'
  * @import { PostureDoc, RobotDoc } from '../model/document.js'
  */
@@ -8,18 +9,23 @@ import $ from 'jquery/slim';
 import { together } from '../model/views.js';
 import './css/program.css';
 import { fill, h, keepFocus } from './dom.js';
+import { POSTURE_CSV } from '../io/postureCsv.js';
+import { download } from './download.js';
 import { emptyState } from './emptyState.js';
+import { fileNameOf } from './files.js';
 import { jointNumber, unitOf, withUnit } from './format.js';
 import { icon } from './icons.js';
 import { attempt, openPanel } from './page.js';
+import { TEXT } from './strings.js';
 import { PROGRAM } from './words/program.js';
 
 /**
  * @param {Page} page
  * @param {HTMLElement} host
+ * @param {Files} files
  */
-export function createProgramPanel(page, host) {
-  const { store, addView, announce } = page;
+export function createProgramPanel(page, host, files) {
+  const { store, addView, announce, clock } = page;
   const record = recordButton();
   record.hidden = true; // until it is known that the empty room does not offer it
   const content = h('div', {});
@@ -56,6 +62,13 @@ export function createProgramPanel(page, host) {
       store.dispatch({ type: 'remove-posture', index: Number(currentTarget.dataset.index) });
       announce(PROGRAM.removed(id));
     })
+    .on('click', '[data-action=save]', () => {
+      const { doc } = store.state;
+      const name = `${fileNameOf(doc.robot.name)}.${POSTURE_CSV.extension}`;
+      download(name, POSTURE_CSV.write(doc), POSTURE_CSV.mediaType, clock);
+      announce(TEXT.files.saved(name));
+    })
+    .on('click', '[data-action=open]', files.choose)
     .on('click', '[data-action=code]', () => openPanel(page, 'code'));
 
   $(host)
@@ -87,20 +100,29 @@ export function createProgramPanel(page, host) {
     say(null);
     record.hidden = postures.length === 0;
     if (postures.length === 0) {
-      fill(content, emptyState(PROGRAM.empty, PROGRAM.emptyDetail, recordButton('btn-primary')));
+      fill(
+        content,
+        emptyState(
+          PROGRAM.empty,
+          PROGRAM.emptyDetail,
+          h('div', { class: 'actions' }, recordButton('btn-primary'), openButton()),
+        ),
+      );
       return;
     }
     const rows = postures.map((posture, i) => row(posture, i, robot));
     fill(
       content,
       h('table', { class: 'moves', 'aria-label': PROGRAM.title }, head(robot), h('tbody', {}, rows)),
-      postures.length === 1
-        ? h('p', { class: 'soft sm inset' }, PROGRAM.one)
-        : h(
-            'div',
-            { class: 'actions inset' },
-            h('button', { type: 'button', class: 'btn btn-primary', 'data-action': 'code' }, PROGRAM.toCode),
-          ),
+      postures.length === 1 && h('p', { class: 'soft sm inset' }, PROGRAM.one),
+      h(
+        'div',
+        { class: 'actions inset' },
+        postures.length > 1 &&
+          h('button', { type: 'button', class: 'btn btn-primary', 'data-action': 'code' }, PROGRAM.toCode),
+        h('button', { type: 'button', class: 'btn', 'data-action': 'save' }, icon('download'), PROGRAM.saveCsv),
+        openButton(),
+      ),
     );
   }
 
@@ -132,6 +154,14 @@ const kindsOf = ({ joints }) => joints.map(({ type }) => type).join(' ');
 /** @param {'btn-outline' | 'btn-primary'} [look] */
 const recordButton = (look = 'btn-outline') =>
   h('button', { type: 'button', class: `btn ${look}`, 'data-action': 'record' }, icon('record'), PROGRAM.record);
+
+const openButton = () =>
+  h(
+    'button',
+    { type: 'button', class: 'btn', 'data-action': 'open', title: PROGRAM.openCsvTitle },
+    icon('folder'),
+    PROGRAM.openCsv,
+  );
 
 /** @param {RobotDoc} robot */
 function head({ joints, units }) {

@@ -1,5 +1,5 @@
 /**
- * A plot as a file that looks elsewhere as it does here: the styles that the page gives it are written into it.
+ * A plot as a file that looks elsewhere as it does here.
  *
  * @import { Page } from './page.js'
  */
@@ -26,10 +26,12 @@ const STYLES = [
 /** Pixels of a picture for each of the drawing's own: sharp in print. */
 const SCALE = 3;
 
-const paper = () => getComputedStyle(document.body).getPropertyValue('--panel').trim();
-
-/** @param {SVGElement} picture @param {{ width: number, height: number }} size  of its view box */
-function svgText(picture, { width, height }) {
+/**
+ * A copy of a drawing of the page with its styles written into it, on paper.
+ * @param {SVGElement} picture
+ * @param {{ width: number, height: number }} size  of its view box
+ */
+export function standalone(picture, { width, height }) {
   const copy = /** @type {SVGElement} */ (picture.cloneNode(true));
   const copies = [copy, ...copy.querySelectorAll('*')];
   for (const [i, element] of [picture, ...picture.querySelectorAll('*')].entries()) {
@@ -38,67 +40,39 @@ function svgText(picture, { width, height }) {
     copies[i].removeAttribute('class');
   }
   for (const [name, value] of Object.entries({ width, height })) copy.setAttribute(name, String(value));
-  copy.prepend(svg('rect', { width, height, fill: paper() }));
-  return new XMLSerializer().serializeToString(copy);
+  copy.prepend(
+    svg('rect', { width, height, fill: getComputedStyle(document.body).getPropertyValue('--panel').trim() }),
+  );
+  return copy;
 }
 
-/**
- * Pictures one below the other, on paper.
- * @param {readonly { image: CanvasImageSource, width: number, height: number }[]} images
- * @returns {Promise<Blob>}
- */
-function pngOf(images) {
-  const width = Math.max(...images.map((each) => each.width));
-  const height = images.reduce((sum, each) => sum + each.height, 0);
+const textOf = (/** @type {SVGElement} */ drawing) => new XMLSerializer().serializeToString(drawing);
+
+/** @param {SVGElement} drawing @returns {Promise<Blob>} */
+async function pngOf(drawing) {
+  const [width, height] = ['width', 'height'].map((name) => SCALE * Number(drawing.getAttribute(name)));
+  const image = new Image();
+  image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(textOf(drawing))}`;
+  await image.decode();
   const canvas = h('canvas', { width, height });
   const brush = canvas.getContext('2d');
   if (!brush) throw new Error('This browser draws no pictures.');
-  brush.fillStyle = paper();
-  brush.fillRect(0, 0, width, height);
-  let top = 0;
-  for (const each of images) {
-    brush.drawImage(each.image, 0, top, each.width, each.height);
-    top += each.height;
-  }
+  brush.drawImage(image, 0, 0, width, height);
   return new Promise((resolve, reject) =>
     canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('The picture is too large.'))), 'image/png'),
   );
-}
-
-/** @param {string} text @param {{ width: number, height: number }} size */
-async function pngOfSvg(text, { width, height }) {
-  const image = new Image();
-  image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(text)}`;
-  await image.decode();
-  return pngOf([{ image, width: SCALE * width, height: SCALE * height }]);
 }
 
 /**
  * Buttons that save a drawing as SVG and as PNG.
  * @param {Page} page
  * @param {string} name  of the files, without its end
- * @param {SVGElement} picture
- * @param {{ width: number, height: number }} size  of its view box
+ * @param {() => SVGElement} draw  what stands by itself, as it is now
  */
-export function createPlotSaver(page, name, picture, size) {
-  return h(
-    'div',
-    { class: 'row-flex plot-saver' },
-    saveButton(page, `${name}.svg`, () => svgText(picture, size)),
-    saveButton(page, `${name}.png`, () => pngOfSvg(svgText(picture, size), size)),
-  );
-}
-
-/**
- * A button that saves what canvases show.
- * @param {Page} page
- * @param {string} name
- * @param {() => readonly HTMLCanvasElement[]} canvasesNow  one or more
- */
-export const createCanvasSaver = (page, name, canvasesNow) =>
-  saveButton(page, `${name}.png`, () =>
-    pngOf(canvasesNow().map((image) => ({ image, width: image.width, height: image.height }))),
-  );
+export const plotSavers = (page, name, draw) => [
+  saveButton(page, `${name}.svg`, () => textOf(draw())),
+  saveButton(page, `${name}.png`, () => pngOf(draw())),
+];
 
 /**
  * @param {Page} page

@@ -5,6 +5,7 @@
  * @import { Page } from './page.js'
  */
 import { h } from './dom.js';
+import { looksLikeRobotFile } from './robotFileText.js';
 import { TEXT } from './strings.js';
 
 /** More than one cell: rows, tabs, the cells of LaTeX or Markdown. */
@@ -23,7 +24,7 @@ export function watchTablePaste(page, table, foot) {
   }
   table.addEventListener('paste', (event) => {
     const text = event.clipboardData?.getData('text/plain') ?? '';
-    if (!IS_TABLE.test(text)) return;
+    if (!IS_TABLE.test(text) || looksLikeRobotFile(text)) return;
     event.preventDefault();
     open(text);
   });

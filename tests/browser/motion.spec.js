@@ -1,4 +1,5 @@
 /** What shows how the arm moves: the trace of its tool, the dials of its joints, and their curves. */
+import { readFile } from 'node:fs/promises';
 import { expect, test } from '@playwright/test';
 import { expectAccessible } from './accessible.js';
 import { draws, open, settled, tool } from './page.js';
@@ -109,4 +110,38 @@ test('curves run while the arm moves and only then, with a table that says the s
   const last = lines[lines.length - 1].split(',').map(Number);
   expect(last.slice(1)).toEqual([40, 40, -150, 0, 30, 0, 0]);
   await expectAccessible(page, { within: '#fold-motion-body' });
+
+  // the same as a drawing, read by its own scale: the joints but J1, which is switched off
+  const coming = page.waitForEvent('download');
+  await body.getByRole('button', { name: 'Save SVG', exact: true }).click();
+  const download = await coming;
+  expect(download.suggestedFilename()).toBe('motion.svg');
+  const drawn = await page.evaluate(
+    (text) => {
+      const drawing = new DOMParser().parseFromString(text, 'image/svg+xml');
+      const [plot] = drawing.querySelectorAll('g');
+      const scale = [...plot.querySelectorAll('text[text-anchor=end]')].map(({ textContent, attributes }) => [
+        Number(attributes.getNamedItem('y')?.value) - 4, // from the foot of the text to its middle
+        Number(textContent?.replace('−', '-')),
+      ]);
+      const [[y0, v0], [y1, v1]] = [scale[0], scale[scale.length - 1]];
+      const curves = [...plot.querySelectorAll('path[data-curve]')].map((path) => {
+        const y = Number(path.getAttribute('d')?.split(' ').at(-1));
+        return [path.getAttribute('data-curve'), v0 + ((y - y0) / (y1 - y0)) * (v1 - v0)];
+      });
+      return {
+        curves,
+        text: drawing.documentElement.textContent,
+        faults: drawing.querySelectorAll('parsererror').length,
+      };
+    },
+    await readFile(await download.path(), 'utf8'),
+  );
+  expect(drawn.faults).toBe(0);
+  expect(drawn.text).toContain('Joint values [°]');
+  expect(drawn.text).toContain('Tool speed [mm/s]');
+  // a curve with pauses is drawn in pieces, of which the last ends where the joint is
+  const ends = new Map(drawn.curves.map(([name, value]) => [name, Number(value)]));
+  expect([...ends.keys()]).toEqual(['J2', 'J3', 'J4', 'J5', 'J6']);
+  [...ends.values()].forEach((value, i) => expect(Math.abs(value - [40, -150, 0, 30, 0][i])).toBeLessThan(1));
 });

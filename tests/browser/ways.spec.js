@@ -78,6 +78,14 @@ test('a robot file is pasted as text where no field has the focus; other drags a
   const ur5 = await readFile(fixture('urdf/ur5.urdf'), 'utf8');
   await page.getByRole('textbox', { name: 'Joint 2, link length a, millimetres' }).focus();
   await paste(page, { 'text/plain': 'no robot' });
+  const a2 = await page.evaluate(() => window.denavit.model().joints[1].a);
+  await paste(page, { 'text/plain': ur5 }); // into the cell, where it may be a slip of the hand
+  await expect(page.locator('.notice')).toContainText('What was pasted is a robot file; the field is as it was.');
+  await expect(page.getByRole('dialog')).toHaveCount(0);
+  expect(await page.evaluate(() => window.denavit.model().joints[1].a)).toBe(a2);
+  await page.getByRole('button', { name: 'Open it', exact: true }).click();
+  await expect(page.getByRole('button', { name: /^ur5/ })).toBeVisible();
+  await page.evaluate(() => window.denavit.undo());
   await page.evaluate(() => document.activeElement instanceof HTMLElement && document.activeElement.blur());
   await paste(page, { 'text/plain': '12.5' });
   await paste(page, { 'text/plain': '<robot name="nothing"/>' });
@@ -178,7 +186,7 @@ test('what a format does not hold is listed before it is saved; postures leave a
   await page.getByRole('button', { name: 'Record here' }).click();
   const saveAs = async () => {
     await page.getByRole('button', { name: 'File' }).click();
-    await page.getByRole('button', { name: /^Save as/ }).click();
+    await page.getByRole('button', { name: /^Save as…/ }).click();
   };
   const dialog = page.getByRole('dialog');
   await saveAs();
@@ -193,11 +201,16 @@ test('what a format does not hold is listed before it is saved; postures leave a
   const download = await coming;
   expect(download.suggestedFilename()).toBe('Planar-2R.csv');
   const csv = await readFile(await download.path(), 'utf8');
+  const again = page.waitForEvent('download');
+  await page.getByRole('button', { name: 'Save as CSV', exact: true }).click(); // below the postures
+  expect(await readFile(await (await again).path(), 'utf8')).toBe(csv);
   expect(csv).toMatch(/^name,[^,]+ \(deg\),[^,]+ \(deg\)\r\ncurrent,.*\r\np1,/);
   await expect(dialog).toHaveCount(0);
 
   const more = `${csv}pick,10,-20\r\nno name,1,2\r\nhalf,1\r\n`.replace(/current,[^\r]*/, 'current,30,45');
-  await page.locator('input[type=file]').setInputFiles({ name: 'p.csv', mimeType: '', buffer: Buffer.from(more) });
+  const chooser = page.waitForEvent('filechooser');
+  await page.getByRole('button', { name: 'Open CSV…', exact: true }).click();
+  await (await chooser).setFiles({ name: 'p.csv', mimeType: '', buffer: Buffer.from(more) });
   const rows = dialog.getByRole('row');
   await expect(rows.filter({ hasText: 'p1' })).toContainText('stays as it is');
   await expect(rows.filter({ hasText: 'pick' })).toContainText('is added');
@@ -213,7 +226,7 @@ test('what a format does not hold is listed before it is saved; postures leave a
 test('the scene is saved as a picture, with its labels, on a ground or on none', async ({ page }) => {
   await open(page);
   await page.getByRole('button', { name: 'File' }).click();
-  await page.getByRole('button', { name: /^Save as/ }).click();
+  await page.getByRole('button', { name: /^Save as…/ }).click();
   const dialog = page.getByRole('dialog');
   await dialog.getByRole('radio', { name: /^Picture of the scene/ }).check();
   await expect(dialog.locator('.dialog-foot')).toContainText(/\d+ × \d+ pixels/);

@@ -22,6 +22,8 @@ export const ARRIVAL = {
   nothing: 'Nothing that could be read came with this; expected a robot file.',
   what: 'What was dropped',
   link: 'This is the address of something, not the thing itself; expected a robot file. Download it first, then drop the file.',
+  intoField: 'What was pasted is a robot file; the field is as it was.',
+  openPasted: 'Open it',
   plainText: 'This is text that does not begin with "<"; expected a robot file, or the text of one.',
 };
 

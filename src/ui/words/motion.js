@@ -18,7 +18,7 @@ export const MOTION = {
   paused: 'Recording is paused.',
   goesOn: 'Recording goes on.',
   cleared: 'The curves are cleared.',
-  axis: (/** @type {string} */ unit) => `Joint values, ${unit}`,
+  axis: (/** @type {string} */ unit) => `Joint values [${unit}]`,
   seconds: 's of motion',
   csvTime: 'time [s]',
   csvColumn: (/** @type {string} */ name, /** @type {string} */ unit) => `${name} [${unit}]`,

@@ -13,6 +13,9 @@ export const PROGRAM = {
   renamed: (/** @type {string} */ name) => `It is called ${name} now.`,
   recorded: (/** @type {string} */ name) => `Recorded as ${name}.`,
   one: 'One more posture, and controller code can be written for the motion between them.',
+  saveCsv: 'Save as CSV',
+  openCsv: 'Open CSV…',
+  openCsvTitle: 'Joint values from a table, one posture in each row',
   toCode: 'See the controller code',
   heads: { name: 'posture', values: 'joint values' },
 };

@@ -1,11 +1,7 @@
 /** The dialog with the link. */
 
-/** Where long links are known to be cut or not taken, and after how many characters. */
-const PLACES = /** @type {const} */ ([
-  ['Outlook mail', 1024],
-  ['Discord', 2000],
-  ['Slack', 4000],
-]);
+/** Characters from which on a word of care is in place. No limit that is known: places differ, and change theirs. */
+const LONG = 2000;
 
 const count = (/** @type {number} */ n) => n.toLocaleString('en-GB');
 
@@ -15,13 +11,13 @@ export const SHARE = {
   link: 'The link',
   with: { view: 'As it is seen now: camera, frames', panels: 'With the panels that are open' },
   /** @param {number} n @returns {[words: string, isLong: boolean]} */
-  length(n) {
-    const short = PLACES.filter(([, most]) => n > most).map(([name, most]) => `${name} (${count(most)})`);
-    if (short.length === 0) return [`${count(n)} characters.`, false];
-    const last = short.pop();
-    const places = short.length > 0 ? `${short.join(', ')} and ${last}` : last;
-    return [`${count(n)} characters: more than ${places} may take whole. A file goes everywhere.`, true];
-  },
+  length: (n) =>
+    n <= LONG
+      ? [`${count(n)} characters.`, false]
+      : [
+          `${count(n)} characters: mail or a chat may cut it. A link that was cut says so; a file goes everywhere.`,
+          true,
+        ],
   tooLarge: 'The model is too large for a link (1 MB of text). Send it as a file.',
   copy: 'Copy the link',
   copied: 'The link is copied',

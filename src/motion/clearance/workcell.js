@@ -11,7 +11,7 @@
  * @property {ArmBodies} bodies
  * @property {readonly { distance: PointDistance, centre: ArrayLike<number>, radius: number }[]} obstacles
  * @property {boolean} looksAtItself
- * @property {{ ends: Float64Array, levers: Float64Array, whole: Needs, needs: Needs }} room  for what is reckoned; of this
+ * @property {{ ends: Float64Array, levers: Float64Array, reach: Float64Array, needs: Needs }} room  for what is reckoned; of this
  *   folder, and never of two looks at once
  *
  * @typedef {object} Nearest   two bodies and what is between them
@@ -32,8 +32,6 @@ import { segmentFrom, segmentsApart } from './segmentDistance.js';
  */
 export function createWorkcell(bodies, obstacles, { looksAtItself = true } = {}) {
   const { stretches, pairs, chain } = bodies;
-  /** @returns {Needs} */
-  const needs = () => ({ ofStretch: new Float64Array(stretches.length), ofPair: new Float64Array(pairs.length) });
   return {
     bodies,
     obstacles: obstacles.map((obstacle) => ({ distance: pointDistance(obstacle), ...surroundings(obstacle) })),
@@ -41,8 +39,8 @@ export function createWorkcell(bodies, obstacles, { looksAtItself = true } = {})
     room: {
       ends: new Float64Array(ENDS * stretches.length),
       levers: new Float64Array(chain.dof * stretches.length),
-      whole: needs(),
-      needs: needs(),
+      reach: new Float64Array(chain.dof),
+      needs: { ofStretch: new Float64Array(stretches.length), ofPair: new Float64Array(pairs.length) },
     },
   };
 }

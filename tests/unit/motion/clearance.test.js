@@ -3,7 +3,7 @@ import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { createChain } from '../../../src/kinematics/chain.js';
 import { ENDS, armBodies, writeEnds, writeLevers } from '../../../src/motion/clearance/armBodies.js';
-import { touchOnWay } from '../../../src/motion/clearance/clearWay.js';
+import { touchOnPath, touchOnWay } from '../../../src/motion/clearance/clearWay.js';
 import { pointDistance } from '../../../src/motion/clearance/obstacles.js';
 import { segmentFrom, segmentsApart } from '../../../src/motion/clearance/segmentDistance.js';
 import { clearance, createWorkcell } from '../../../src/motion/clearance/workcell.js';
@@ -231,6 +231,39 @@ describe('a way among obstacles', () => {
       { seed: SEED, numRuns: runs(60) },
     );
     expect(Math.min(seen.clear, seen.touched)).toBeGreaterThan(10);
+  });
+  test('along curved ways the same holds', () => {
+    const seen = { clear: 0, touched: 0 };
+    const curve = fc.array(fc.tuple(...[1, 1, 1, 1, 1].map(() => number(-0.6, 0.6))), { minLength: 6, maxLength: 6 });
+    fc.assert(
+      fc.property(anyWay(['puma560', 'stanford', 'ur5']), curve, ({ name, obstacles, from }, terms) => {
+        const radius = 0.03;
+        const cell = createWorkcell(
+          armBodies(
+            createChain(publishedArm(name)),
+            from.map(() => radius),
+          ),
+          obstacles,
+          { looksAtItself: false },
+        );
+        const coefficients = Float64Array.from(from.flatMap((value, j) => [value, ...terms[j]]));
+        const touch = touchOnPath(cell, { dof: 6, knots: Float64Array.of(0, 2), coefficients });
+        /** @param {number} x */
+        const postureAt = (x) =>
+          from.map((value, j) => terms[j].reduce((sum, term, k) => sum + term * x ** (k + 1), value));
+        if (touch === null) {
+          seen.clear++;
+          for (let i = 0; i <= 40; i++)
+            expect(oracleClearance(name, obstacles, radius, postureAt(i / 40))).toBeGreaterThan(0);
+        } else {
+          seen.touched++;
+          expect(oracleClearance(name, obstacles, radius, touch.posture)).toBeLessThan(1e-3 + 0.05);
+          postureAt(touch.share).forEach((value, j) => expect(touch.posture[j]).toBeCloseTo(value, 9));
+        }
+      }),
+      { seed: SEED, numRuns: runs(60) },
+    );
+    expect(Math.min(seen.clear, seen.touched)).toBeGreaterThan(8);
   });
   test('a thin plate between two postures that are both clear is found', () => {
     const chain = createChain(publishedArm('planar2r'));

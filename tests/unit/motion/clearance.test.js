@@ -265,6 +265,19 @@ describe('a way among obstacles', () => {
     );
     expect(Math.min(seen.clear, seen.touched)).toBeGreaterThan(8);
   });
+  test('a way that turns back in its middle is looked at to its ends', () => {
+    const chain = createChain(publishedArm('planar2r'));
+    const tip = chain.reach - 0.05;
+    const obstacle = {
+      kind: /** @type {const} */ ('sphere'),
+      centre: [tip * Math.cos(1), tip * Math.sin(1), 0],
+      radius: 0.1,
+    };
+    const cell = createWorkcell(armBodies(chain, [0.02, 0.02]), [obstacle]);
+    const coefficients = Float64Array.of(1, -4, 4, 0, 0, 0, 0, 0, 0, 0, 0, 0); // 1 − 4 λ (1 − λ): 1 at both ends
+    const touch = touchOnPath(cell, { dof: 2, knots: Float64Array.of(0, 1), coefficients });
+    expect(touch).toMatchObject({ stretch: 1, obstacle: 0 });
+  });
   test('a thin plate between two postures that are both clear is found', () => {
     const chain = createChain(publishedArm('planar2r'));
     const plate = {

@@ -168,7 +168,7 @@ function stand(robot, isOther, link) {
       return (host) => createJacobianPanel(page, host);
     },
   );
-  createJogPanel(page, shell.jog, shell.pose);
+  createJogPanel(page, shell.jog);
   const pose = createPosePanel(page, shell.pose);
   createAimPanel(page, shell.aim);
   createShortcuts(page, { files, openHelp });

@@ -13,6 +13,7 @@
  * @import { JogChoices } from './jogChoices.js'
  * @import { NumbersView } from './numbersView.js'
  * @import { Playback } from './player.js'
+ * @import { Taught } from './threePoints.js'
  * @import { ToolKeeps } from './toolChange.js'
  *
  * @typedef {'robot' | 'program' | 'code' | 'jacobian'} Tab
@@ -38,6 +39,7 @@
  * @property {number | null} openJoint  the joint whose limits, home and link are open below the table
  * @property {readonly number[] | null} target  X Y Z W P R in document units; null while it follows the tool
  * @property {string} targetForm  how it is written: the id of one of ORIENTATION_FORMS, or "matrix"
+ * @property {'world' | 'user'} targetFrom  what its numbers are seen from; user: the active user frame
  * @property {AimAnswer | null} answer  what inverse kinematics said to the target
  * @property {{ readonly posture: readonly number[], readonly label: string } | null} ghost  where the arm would stand: a solution being looked at
  * @property {FramesShown} frames   of the scene; this and the next stay when another document is opened
@@ -51,6 +53,7 @@
  * @property {number | null} pointedLink  the joint that moves the link under the pointer
  * @property {JogChoices} jog  how the arm is jogged
  * @property {JacobianView} jacobian  which one is shown, and how
+ * @property {Taught | null} taught  the points of a user frame that is being taught
  * @property {ToolKeeps} toolKeeps  what stays where it is when another tool is chosen
  * @property {NumbersView} numbers  how they are shown and copied
  * @property {Playback | null} playback  of a motion program; null: none has been played or looked at
@@ -85,6 +88,7 @@ const FRESH = {
   openJoint: null,
   target: null,
   targetForm: 'wpr',
+  targetFrom: 'world',
   answer: null,
   ghost: null,
   frames: 'ends',
@@ -98,6 +102,7 @@ const FRESH = {
   pointedLink: null,
   jog: FIRST_JOG,
   jacobian: FIRST_JACOBIAN,
+  taught: null,
   toolKeeps: 'flange',
   numbers: FIRST_NUMBERS,
   playback: null,
@@ -155,10 +160,24 @@ function settle(state, history, next) {
   if (robot === old) return { ...next, session };
   const isOther = robot.name !== old.name && robot.joints !== old.joints; // a new name alone makes no other robot
   const sameShape = robot.joints.length === old.joints.length && robot.units === old.units && !isOther;
-  const { panel, tab, edition, frames, projection, trace, handle, jog, jacobian, targetForm, toolKeeps } = session;
+  const { panel, tab, edition, frames, projection, trace, handle, jog, jacobian, toolKeeps } = session;
+  const { targetForm, targetFrom } = session;
   const openJoint = session.openJoint === null ? null : Math.min(session.openJoint, robot.joints.length - 1);
   const numbers = fitNumbers(session.numbers, robot);
-  const kept = { panel, tab, edition, frames, projection, trace, handle, jog, jacobian, targetForm, toolKeeps };
+  const kept = {
+    panel,
+    tab,
+    edition,
+    frames,
+    projection,
+    trace,
+    handle,
+    jog,
+    jacobian,
+    targetForm,
+    targetFrom,
+    toolKeeps,
+  };
   return {
     ...next,
     session: sameShape ? { ...session, answer: null, ghost: null } : { ...FRESH, ...kept, openJoint, numbers },

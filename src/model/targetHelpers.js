@@ -76,3 +76,12 @@ export function turnedAs(T_place, T_turn) {
   result.set(T_place.subarray(12, 15), 12);
   return result;
 }
+
+/**
+ * @param {Float64Array | null} T_world_from  null: the world itself
+ * @param {readonly number[]} point  seen from that frame, m
+ */
+export const pointInWorld = (T_world_from, point) => {
+  const T = T_world_from;
+  return T ? [0, 1, 2].map((i) => T[i] * point[0] + T[4 + i] * point[1] + T[8 + i] * point[2] + T[12 + i]) : point;
+};

@@ -1,7 +1,12 @@
 /**
  * A user frame from three points that the TCP was brought to, as on a controller: its origin, a point on its positive X axis,
  * and one on the side of its XY plane where Y is positive.
+ *
+ * @typedef {readonly (readonly [number, number, number] | null)[]} Taught  those three while they are taken; metres, in the world
  */
+
+/** None of them yet. @type {Taught} */
+export const NOT_TAUGHT = [null, null, null];
 
 /** Nearer together than this, metres, two points are one. */
 const APART = 1e-4;

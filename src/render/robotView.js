@@ -192,6 +192,12 @@ export function createRobotView({ store, addView, derived, clock }, options) {
     },
   );
 
+  const withTaught = whenWanted(async () => (await import('./taughtPoints.js')).createTaughtPoints);
+  addView(
+    ({ session }) => session.taught,
+    (taught) => withTaught(taught !== null, (marks) => marks.want(taught)),
+  );
+
   const withLost = whenWanted(async () => {
     const { createLostMark } = await import('./lostMark.js');
     return (tools) => createLostMark({ ...tools, text: options.text.lost });

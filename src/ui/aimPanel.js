@@ -52,6 +52,11 @@ export function createAimPanel(page, host) {
       page.messages.fault(error);
     }
   });
+  // There is a choice where a user frame is active.
+  addView(
+    ({ doc }) => doc.activeUser !== undefined,
+    (isChoice) => ([parts.world.hidden, parts.from.hidden] = [isChoice, !isChoice]),
+  );
   const fold = foldMaker(page.clock, page.messages.fault);
   const solutions = fold('fold-solutions', async (body) => {
     const [{ createSolutionsPanel }, { SOLUTIONS }] = await Promise.all([

@@ -1,13 +1,12 @@
 /**
- * What controllers call the posture, beside the tool's pose while the pendant's numbers are shown. A screen reader hears it when
- * the arm has come to rest with another one.
+ * What controllers call the posture, as it changes. A screen reader hears it when the arm has come to rest with another one.
  *
  * @import { Page } from './page.js'
  */
-import { hasPendant } from '../model/controllerData.js';
 import { memo } from '../model/memo.js';
 import { configurationAt } from '../model/solutions.js';
 import { together } from '../model/views.js';
+import './css/controller.css';
 import { createAnnouncer } from './announce.js';
 import { h } from './dom.js';
 import { CONTROLLER } from './words/controller.js';
@@ -16,32 +15,25 @@ import { SOLUTIONS } from './words/solutions.js';
 /** Later than the pose itself is said, so that one is heard after the other. */
 const REST_SECONDS = 1.2;
 
-/** @param {Page} page @param {HTMLElement} panel  of the pose; it is put at its end */
-export function createConfigurationLine({ store, addView, derived, clock }, panel) {
+/** @param {Page} page @param {HTMLElement} host  folded away, nothing is said */
+export function createConfigurationLine({ store, addView, derived, clock }, host) {
   const fanucText = h('dd', {});
   const kukaText = h('dd', {});
   const list = h(
     'dl',
-    { class: 'configuration pose-note', 'aria-label': CONTROLLER.configuration },
+    { class: 'configuration', 'aria-label': CONTROLLER.configuration },
     h('div', {}, h('dt', {}, CONTROLLER.fanuc), fanucText),
     h('div', {}, h('dt', {}, CONTROLLER.kuka), kukaText),
   );
-  panel.append(list);
+  host.append(list);
   const configuration = memo(configurationAt);
   const say = createAnnouncer();
   let said = '';
   let cancel = () => {};
   addView(
-    together(({ doc, gesture, session }) => [
-      doc.robot,
-      doc.posture,
-      gesture === null && session.heldJoint === null,
-      session.numbers.isPendant && hasPendant(doc.robot),
-    ]),
-    ([robot, posture, isAtRest, isShown]) => {
+    together(({ doc, gesture, session }) => [doc.robot, doc.posture, gesture === null && session.heldJoint === null]),
+    ([robot, posture, isAtRest]) => {
       cancel();
-      list.hidden = !isShown;
-      if (!isShown) return;
       const { fanuc, kuka } = configuration(robot, derived.chain(store.state.doc), posture);
       const fanucWords = fanuc.text ?? SOLUTIONS.noCode[fanuc.reason];
       const kukaWords =
@@ -52,6 +44,7 @@ export function createConfigurationLine({ store, addView, derived, clock }, pane
       const words = CONTROLLER.spoken(fanucWords, kukaWords);
       if (!isAtRest || words === said) return;
       cancel = clock.after(REST_SECONDS, () => {
+        if (host.hidden) return;
         said = words;
         say(words);
       });

@@ -34,8 +34,8 @@ export const foldMaker =
     const toggle = onToggle ?? ((/** @type {boolean} */ wanted) => void set(wanted));
     button.addEventListener('click', () => toggle(!isOpen));
 
-    /** @param {boolean} wanted */
-    async function set(wanted) {
+    /** @param {boolean} wanted @param {boolean} [comesIntoSight] */
+    async function set(wanted, comesIntoSight = true) {
       if (wanted === isOpen) return;
       isOpen = wanted;
       button.setAttribute('aria-expanded', String(isOpen));
@@ -43,7 +43,7 @@ export const foldMaker =
       if (!isOpen) return;
       try {
         await (created ??= create(body));
-        clock.onFrame(() => element.scrollIntoView({ block: 'nearest' })); // when it is drawn
+        if (comesIntoSight) clock.onFrame(() => element.scrollIntoView({ block: 'nearest' })); // when it is drawn
       } catch (error) {
         created = null; // the next opening tries again
         toggle(false);

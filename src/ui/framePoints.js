@@ -1,12 +1,15 @@
 /**
- * A user frame by three points, as on a pendant: the TCP is brought to each and taken there.
+ * A user frame by three points, as on a pendant: the TCP is brought to each and taken there. The session has them, so that the
+ * scene shows what was taken.
  *
  * @import { Page } from './page.js'
  * @import { PoseDoc } from '../model/document.js'
+ * @import { Taught } from '../model/threePoints.js'
  */
-import { frameFromPoints } from '../model/threePoints.js';
+import { NOT_TAUGHT, frameFromPoints } from '../model/threePoints.js';
 import { poseInUnits } from '../model/poseNumbers.js';
 import { fromKernel } from '../model/units.js';
+import { together } from '../model/views.js';
 import { fill, h } from './dom.js';
 import { poseNumber } from './format.js';
 import { FRAMES } from './words/frames.js';
@@ -17,9 +20,8 @@ import { FRAMES } from './words/frames.js';
  * @param {(pose: PoseDoc) => string | null} on.make  the reason why not
  * @param {() => void} on.cancel
  */
-export function createFramePoints({ store, derived, announce }, on) {
-  /** @type {(readonly number[] | null)[]} metres, in the world */
-  let points = [null, null, null];
+export function createFramePoints({ store, addView, derived, announce }, on) {
+  const points = () => store.state.session.taught ?? NOT_TAUGHT;
   const reason = h('p', { class: 'reason sm', role: 'status', hidden: true });
   const places = FRAMES.point.map(() => h('output', { class: 'soft sm' }));
 
@@ -36,7 +38,9 @@ export function createFramePoints({ store, derived, announce }, on) {
     return `${point.map((value) => poseNumber(fromKernel('length', value, units), units.length)).join('  ')} ${units.length}`;
   }
 
-  const draw = () => places.forEach((place, i) => (place.textContent = inWords(points[i])));
+  /** @param {Taught | null} taught */
+  const teach = (taught) => store.dispatch({ type: 'show', change: { taught } });
+  const draw = () => places.forEach((place, i) => (place.textContent = inWords(points()[i])));
 
   const rows = FRAMES.point.map((name, i) => {
     const take = h(
@@ -46,17 +50,16 @@ export function createFramePoints({ store, derived, announce }, on) {
     );
     take.addEventListener('click', () => {
       const T = derived.tcp(store.state.doc);
-      points = points.with(i, [T[12], T[13], T[14]]);
-      draw();
+      teach(points().with(i, [T[12], T[13], T[14]]));
       say(null);
-      announce(FRAMES.taken(name, inWords(points[i])));
+      announce(FRAMES.taken(name, inWords(points()[i])));
     });
     return h('li', {}, h('span', {}, `${i + 1} ${name}`), places[i], take);
   });
 
   function make() {
-    const [origin, onX, onPlane] = points;
-    if (!origin || !onX || !onPlane) return FRAMES.missing(FRAMES.point[points.indexOf(null)]);
+    const [origin, onX, onPlane] = points();
+    if (!origin || !onX || !onPlane) return FRAMES.missing(FRAMES.point[points().indexOf(null)]);
     const found = frameFromPoints([origin, onX, onPlane]);
     if ('fault' in found) return FRAMES.fault[found.fault];
     return on.make(poseInUnits(found.T_world_frame, store.state.doc.robot.units));
@@ -67,8 +70,12 @@ export function createFramePoints({ store, derived, announce }, on) {
     const against = make();
     say(against);
     if (against) announce(against);
+    else teach(null);
   });
-  cancel.addEventListener('click', on.cancel);
+  cancel.addEventListener('click', () => {
+    teach(null);
+    on.cancel();
+  });
 
   const element = h('div', { class: 'frame-points', role: 'group', 'aria-label': FRAMES.points, hidden: true });
   fill(
@@ -78,16 +85,20 @@ export function createFramePoints({ store, derived, announce }, on) {
     reason,
     h('div', { class: 'actions' }, makeButton, cancel),
   );
+  addView(
+    together(({ doc, session }) => [session.taught, doc.robot.units]),
+    ([taught]) => {
+      element.hidden = taught === null;
+      draw();
+    },
+  );
   return {
     element,
     open() {
-      points = [null, null, null];
-      draw();
+      teach(NOT_TAUGHT);
       say(null);
-      element.hidden = false;
+      element.hidden = false; // at once, for the focus
       element.querySelector('button')?.focus();
     },
-    /** The units have changed. */
-    draw,
   };
 }

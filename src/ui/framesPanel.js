@@ -10,10 +10,10 @@
 import { ACTIVE, agree, poseOnly, targetsIn } from '../model/frames.js';
 import { identityPose } from '../model/document.js';
 import { poseInUnits } from '../model/poseNumbers.js';
-import { toolChange } from '../model/toolChange.js';
 import { together } from '../model/views.js';
 import './css/typedIn.css';
 import './css/frames.css';
+import { chooseFrame } from './chooseFrame.js';
 import { fill, h } from './dom.js';
 import { frameAdders } from './frameAdders.js';
 import { createFramePoints } from './framePoints.js';
@@ -21,7 +21,6 @@ import { chooser, createFrameRow } from './frameRow.js';
 import { attempt } from './page.js';
 import { poseInWords } from './poseInWords.js';
 import { segments } from './segments.js';
-import { verdictInWords } from './verdict.js';
 import { FRAMES } from './words/frames.js';
 
 /** @type {readonly FrameKind[]} */
@@ -52,32 +51,14 @@ export function createFramesPanel(page, host) {
     instead.hidden = tool === undefined;
   }
 
-  /** @param {number | null} index @param {'flange' | 'tcp'} keeps */
-  function chooseTool(index, keeps) {
-    const { doc } = store.state;
-    const id = index === null ? FRAMES.noTool : doc.frames[index].id;
-    const { command, answer } = toolChange(doc, index, keeps);
-    const cannot = answer && FRAMES.cannotKeep(id, verdictInWords(doc.robot, answer));
-    const against = command ? attempt(page, command) : cannot;
-    say(against, cannot ? index : undefined);
-    announce(against ?? (index === null ? FRAMES.chosenNone.tool : FRAMES.chosen('tool', id)));
+  /** @param {FrameKind} kind @param {number | null} index @param {'flange'} [keeps] */
+  function choose(kind, index, keeps) {
+    const against = chooseFrame(page, kind, index, keeps);
+    say(against?.reason ?? null, against?.isStuck ? index : undefined);
     draw(); // a radio button that was refused goes back
   }
-
-  /** @param {number | null} index */
-  function chooseUser(index) {
-    const id = index === null ? null : store.state.doc.frames[index].id;
-    const against = attempt(page, { type: 'choose-user', index });
-    say(against);
-    announce(against ?? (id === null ? FRAMES.chosenNone.user : FRAMES.chosen('user', id)));
-    draw();
-  }
-
-  /** @param {FrameKind} kind @param {number | null} index */
-  const choose = (kind, index) =>
-    kind === 'user' ? chooseUser(index) : chooseTool(index, store.state.session.toolKeeps);
   instead.addEventListener('click', () => {
-    if (refusedTool !== undefined) chooseTool(refusedTool, 'flange');
+    if (refusedTool !== undefined) choose('tool', refusedTool, 'flange');
   });
 
   /** @param {number} index */
@@ -117,15 +98,8 @@ export function createFramesPanel(page, host) {
 
   const tcp = () => poseInUnits(derived.tcp(store.state.doc), store.state.doc.robot.units);
   const points = createFramePoints(page, {
-    make(pose) {
-      const against = add('user', pose);
-      if (!against) points.element.hidden = true;
-      return against;
-    },
-    cancel() {
-      points.element.hidden = true;
-      adders.user.button.focus();
-    },
+    make: (pose) => add('user', pose),
+    cancel: () => adders.user.button.focus(),
   });
 
   const adders = frameAdders({
@@ -245,7 +219,6 @@ export function createFramesPanel(page, host) {
       none[kind].radio.checked = isNone;
       none[kind].row.classList.toggle('is-active', isNone);
     }
-    points.draw();
   }
 
   let edition = -1;

@@ -25,9 +25,8 @@ import { TEXT } from './strings.js';
 /**
  * @param {Page} page
  * @param {HTMLElement} host
- * @param {HTMLElement} pose  the panel of the tool's pose
  */
-export function createJogPanel(page, host, pose) {
+export function createJogPanel(page, host) {
   const { store, addView, announce } = page;
   const zero = h('button', { type: 'button', class: 'btn soft', title: TEXT.jog.zero }, TEXT.jog.zeroShort);
   const home = h(
@@ -39,7 +38,7 @@ export function createJogPanel(page, host, pose) {
   const keep = h('input', { type: 'checkbox', role: 'switch', checked: true });
   const keepRow = h('label', { class: 'switch' }, keep, TEXT.jog.keep);
   const modes = createJogModes(page, list);
-  const pendant = createPendantSwitch(page, pose);
+  const pendant = createPendantSwitch(page);
   const reasons = createReasons('jog-refused');
   const remarkLine = h('p', { class: 'reason sm', role: 'note', hidden: true });
   fill(

@@ -9,6 +9,7 @@ import './css/jogPendant.css';
 import { hasJogButtons } from '../model/jogChoices.js';
 import { together } from '../model/views.js';
 import { fill, h } from './dom.js';
+import { createFrameMenus } from './jogFrameMenus.js';
 import { createFrameChooser } from './jogFrames.js';
 import { watchJogKeys } from './jogHold.js';
 import { createJogMotion } from './jogMotion.js';
@@ -39,6 +40,7 @@ export function createJogPendant(page, host) {
       'div',
       { class: 'body jog-pendant' },
       frames,
+      createFrameMenus(page),
       rate,
       keys,
       word,

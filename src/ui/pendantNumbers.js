@@ -16,7 +16,6 @@ import {
   withPendantValue,
   zeroOnPendant,
 } from '../model/pendantNumbers.js';
-import { createConfigurationLine } from './configurationLine.js';
 import { fill, h } from './dom.js';
 import { jointNumber, withUnit } from './format.js';
 import { CONTROLLER } from './words/controller.js';
@@ -45,17 +44,16 @@ export const PENDANT_NUMBERS = {
 };
 
 /**
- * What belongs to these numbers: the note on them, and the configuration below the pose.
+ * The note on these numbers.
  * @param {Page} page
- * @param {{ note: HTMLElement, pose: HTMLElement }} hosts
+ * @param {HTMLElement} note  its room
  */
-export function createPendantParts(page, { note, pose }) {
+export function createPendantNote(page, note) {
   note.className = 'controller-note';
   page.addView(
     ({ doc }) => doc.robot,
     (robot) => fill(note, noteOn(robot)),
   );
-  createConfigurationLine(page, pose);
 }
 
 /** @param {Page} page @param {boolean} isPendant */

@@ -10,18 +10,18 @@ import { h } from './dom.js';
 import { fetchPendantNumbers } from './jointNumbers.js';
 import { TEXT } from './strings.js';
 
-/** @param {Page} page @param {HTMLElement} pose  the panel that the configuration is shown in */
-export function createPendantSwitch(page, pose) {
+/** @param {Page} page */
+export function createPendantSwitch(page) {
   const input = h('input', { type: 'checkbox', role: 'switch' });
   const row = h('label', { class: 'switch' }, input, TEXT.jog.pendant);
   const note = h('div', { hidden: true });
-  let hasParts = false;
+  let hasNote = false;
 
   input.addEventListener('change', async () => {
     try {
-      const { createPendantParts, showPendant } = await fetchPendantNumbers();
-      if (!hasParts) createPendantParts(page, { note, pose });
-      hasParts = true;
+      const { createPendantNote, showPendant } = await fetchPendantNumbers();
+      if (!hasNote) createPendantNote(page, note);
+      hasNote = true;
       showPendant(page, input.checked);
     } catch (error) {
       input.checked = false;

@@ -11,6 +11,7 @@ import { eulerNumbers } from '../model/eulerNumbers.js';
 import { memo } from '../model/memo.js';
 import { together } from '../model/views.js';
 import { createAnnouncer } from './announce.js';
+import { createConfigurationFold } from './configurationFold.js';
 import { fill } from './dom.js';
 import { poseNumber, unitSign, withUnit } from './format.js';
 import { createPoseGrid } from './poseGrid.js';
@@ -29,7 +30,7 @@ const REST_SECONDS = 0.8;
 export function createPosePanel(page, host) {
   const { store, addView, derived } = page;
   const parts = createPoseParts();
-  fill(host, parts.header, parts.bar, parts.body, parts.note);
+  fill(host, parts.header, parts.bar, parts.body, parts.note, createConfigurationFold(page));
 
   const unitsNow = () => store.state.doc.robot.units;
   const unitFor = (/** @type {number} */ k) => unitsNow()[k < 3 ? 'length' : 'angle'];

@@ -17,7 +17,9 @@
  * @property {(tools: TargetTools) => Built} build
  */
 import { WPR } from '../model/angleForm.js';
+import { memo } from '../model/memo.js';
 import { targetFrom, targetNumbers } from '../model/targetForm.js';
+import { targetGivenIn, targetSeenFrom } from '../model/targetFrame.js';
 import { together } from '../model/views.js';
 import { fill, h } from './dom.js';
 import { poseNumber, roundedPose, unitSign } from './format.js';
@@ -57,22 +59,32 @@ export function createTargetFields(page, host) {
   const room = h('div', {});
   fill(host, room, reasons.element);
 
-  /** What the fields say: the target someone asked for, or the tool while nobody aims. @param {AppState} state */
+  /** The target someone asked for, or the tool while nobody aims. @param {AppState} state */
   const target = ({ doc, session }) => session.target ?? derived.xyzwpr(doc);
+  /** What the fields are seen from; null: the world. @param {AppState} state */
+  const from = ({ doc, session }) => (session.targetFrom === 'user' ? derived.user(doc) : null);
+  const seenFrom = memo(targetSeenFrom);
+  /** What the fields say. */
+  const seen = () => seenFrom(store.state.doc.robot, from(store.state), target(store.state));
+  /** @param {readonly number[]} wanted  in the frame of the fields @returns {Extract<Change, { type: 'show' }>} */
+  const aimAt = (wanted) => ({
+    type: 'show',
+    change: { target: targetGivenIn(store.state.doc.robot, from(store.state), wanted), answer: null },
+  });
   const units = () => store.state.doc.robot.units;
 
   /**
    * Numbers that the session does not keep are computed from what it does, and may be others than were typed (a half turn
    * about the opposite axis is the same). While the target is the one that came of the typing, the typed ones are shown.
-   * @type {{ target: readonly number[], id: string, numbers: readonly number[] } | null}
+   * @type {{ target: readonly number[] | null | undefined, id: string, from: Float64Array | null, numbers: readonly number[] } | null}
    */
   let typed = null;
 
   /** @param {OrientationForm} form */
   const numbers = (form) =>
-    typed && typed.target === store.state.session.target && typed.id === form.id
+    typed && typed.target === store.state.session.target && typed.id === form.id && typed.from === from(store.state)
       ? typed.numbers
-      : targetNumbers(form, store.state.doc.robot, target(store.state));
+      : targetNumbers(form, store.state.doc.robot, seen());
 
   /**
    * @param {OrientationForm} form
@@ -82,8 +94,9 @@ export function createTargetFields(page, host) {
   function ask(form, wanted) {
     const { target: asked, fault } = targetFrom(form, store.state.doc.robot, wanted);
     if (fault) return { command: null, fault };
-    typed = { target: asked, id: form.id, numbers: wanted };
-    return { command: tools.aimAt(asked), fault: null };
+    const command = aimAt(asked);
+    typed = { target: command.change.target, id: form.id, from: from(store.state), numbers: wanted };
+    return { command, fault: null };
   }
 
   /** What brings back the target as it is now. @returns {Change} */
@@ -110,8 +123,8 @@ export function createTargetFields(page, host) {
   const tools = {
     page,
     reasons,
-    target: () => target(store.state),
-    aimAt: (wanted) => ({ type: 'show', change: { target: wanted, answer: null } }),
+    target: seen,
+    aimAt,
     numbers,
     ask,
     again,
@@ -142,6 +155,8 @@ export function createTargetFields(page, host) {
   let editors = [];
   let shape = '';
   let edition = -1;
+  /** @type {Float64Array | null} */
+  let fromThen = null;
 
   function build() {
     const built = form.build(tools);
@@ -149,10 +164,17 @@ export function createTargetFields(page, host) {
     fill(room, ...built.elements);
   }
   addView(
-    together((state) => [state.doc.robot.units, target(state), state.session.target, state.session.edition]),
-    ([{ length, angle }, , , now]) => {
-      if (now !== edition) editors.forEach((editor) => editor.forget());
+    together((state) => [
+      state.doc.robot.units,
+      target(state),
+      state.session.target,
+      state.session.edition,
+      from(state),
+    ]),
+    ([{ length, angle }, , , now, T_world_from]) => {
+      if (now !== edition || T_world_from !== fromThen) editors.forEach((editor) => editor.forget());
       edition = now;
+      fromThen = T_world_from;
       const wanted = [form.id, length, angle].join();
       if (wanted !== shape) build();
       shape = wanted;
@@ -164,6 +186,9 @@ export function createTargetFields(page, host) {
 
   return {
     target,
+    from,
+    seen,
+    aimAt,
     room,
 
     /** @param {TargetForm} next */
@@ -206,7 +231,7 @@ export function createTargetFields(page, host) {
  * @typedef {object} TargetTools  what fields of the target are made with
  * @property {Page} page
  * @property {ReturnType<typeof createReasons>} reasons
- * @property {() => readonly number[]} target  X Y Z W P R as they stand
+ * @property {() => readonly number[]} target  X Y Z W P R as they stand, in the frame of the fields
  * @property {(wanted: readonly number[]) => Change} aimAt
  * @property {(form: OrientationForm) => readonly number[]} numbers  X Y Z and those of the form, as they stand
  * @property {(form: OrientationForm, wanted: readonly number[]) =>

@@ -6,8 +6,8 @@
  * @import { TargetFields } from './targetFields.js'
  */
 import { poseFromXyzwpr, xyzwprOf } from '../model/aim.js';
-import { compilePose } from '../model/compile.js';
-import { lookingAt, toolDown, turnedAs } from '../model/targetHelpers.js';
+import { targetPose } from '../model/frames.js';
+import { lookingAt, pointInWorld, toolDown, turnedAs } from '../model/targetHelpers.js';
 import { toKernel } from '../model/units.js';
 import { textInput } from './captioned.js';
 import { fill, h } from './dom.js';
@@ -46,13 +46,19 @@ export function createTargetHelp({ store, derived, announce }, fields) {
     return T ? null : words.tooNear;
   }
 
+  /** @param {readonly number[]} point  in the frame and the unit of the fields */
+  function inWorld(point) {
+    const metres = point.map((value) => toKernel('length', value, robot().units));
+    return pointInWorld(fields.from(store.state), metres);
+  }
+
   /** Poses that have a name. */
   function named() {
     const { doc } = store.state;
     return [
       { title: words.toolNow, T: derived.tcp(doc) },
       { title: words.base, T: derived.chain(doc).base },
-      ...doc.targets.map((target) => ({ title: target.id, T: compilePose(target, doc.robot.units) })),
+      ...doc.targets.map((target) => ({ title: target.id, T: targetPose(doc, target) })),
     ];
   }
 
@@ -107,13 +113,7 @@ export function createTargetHelp({ store, derived, announce }, fields) {
 
       function run() {
         const read = readSeveral(input.value, [3], words.pointCount);
-        const against =
-          'reason' in read
-            ? read.reason
-            : look(
-                read.numbers.map((value) => toKernel('length', value, robot().units)),
-                words.thePoint,
-              );
+        const against = 'reason' in read ? read.reason : look(inWorld(read.numbers), words.thePoint);
         reason.textContent = against ?? '';
         reason.hidden = against === null;
         if (against === null) onClose();

@@ -11,6 +11,7 @@ import './css/target.css';
 import { poseFromXyzwpr } from '../model/aim.js';
 import { KERNEL_UNITS, matrixSheet, poseSheet } from '../model/copySheets.js';
 import { orientationForm } from '../model/orientationForms.js';
+import { together } from '../model/views.js';
 import { runCopyMenu } from './copyMenu.js';
 import { fill } from './dom.js';
 import { formSection } from './formMenu.js';
@@ -36,6 +37,28 @@ export function runTargetMenus(page, parts, fields) {
     store.dispatch({ type: 'show', change: { targetForm: id } });
     announce(TARGET.form.now(targetForm(id).name));
   }
+  /** @param {'world' | 'user'} from */
+  const seenFrom = (from) => TARGET.from[from](store.state.doc.activeUser);
+  addMenu(parts.from, () => {
+    const { targetFrom } = store.state.session;
+    const items = /** @type {const} */ (['world', 'user']).map((from) => ({
+      title: seenFrom(from),
+      detail: from === 'user' ? TARGET.fromUser : undefined,
+      isChosen: from === targetFrom,
+      run() {
+        store.dispatch({ type: 'show', change: { targetFrom: from } });
+        announce(TARGET.fromNow(seenFrom(from)));
+      },
+    }));
+    return [{ heading: TARGET.fromHeading, items }];
+  });
+  addView(
+    together(({ doc, session }) => [session.targetFrom, doc.activeUser]),
+    ([from]) => {
+      parts.fromText.textContent = seenFrom(from);
+      parts.from.title = `${TARGET.fromHeading} (${seenFrom(from)})`;
+    },
+  );
   addMenu(parts.form, () => {
     const now = chosen();
     const section = (/** @type {'named' | 'other' | 'moving' | 'fixed'} */ group) => formSection(group, now, choose);
@@ -58,8 +81,8 @@ export function runTargetMenus(page, parts, fields) {
     sheetOf(what) {
       const { robot } = store.state.doc;
       const units = store.state.session.numbers.isKernelUnits ? KERNEL_UNITS : robot.units;
-      const T = poseFromXyzwpr(robot, fields.target(store.state));
-      const place = /** @type {const} */ ({ robot, frame: 'target', from: 'world', T, units });
+      const T = poseFromXyzwpr(robot, fields.seen());
+      const place = /** @type {const} */ ({ robot, frame: 'target', from: store.state.session.targetFrom, T, units });
       return what === 'matrix' ? matrixSheet(place) : poseSheet(place, orientationForm(chosen()));
     },
     main: () => (chosen() === MATRIX ? 'matrix' : 'pose'),

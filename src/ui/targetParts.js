@@ -19,6 +19,9 @@ export function createTargetParts() {
     formText,
     caret(),
   );
+  const fromText = h('span', {}, TEXT.pose.frame);
+  const from = h('button', { type: 'button', class: 'btn quiet soft aim-from', 'data-ask': 'from' }, fromText, caret());
+  const world = h('span', { class: 'soft' }, TEXT.pose.frame);
   const copy = button('copy', TEXT.aim.copy, 'btn-icon', icon('copy'));
   const copyMore = button('copyMore', TEXT.pose.copyMore, 'split', caret());
   const paste = h('button', { type: 'button', class: 'btn quiet', 'data-ask': 'paste' }, TEXT.aim.paste);
@@ -31,12 +34,13 @@ export function createTargetParts() {
   /** @param {Element} one */
   const dropdown = (one) => h('div', { class: 'dropdown' }, one);
   return {
-    ...{ form, formText, copy, copyMore, paste, helpers, follow },
+    ...{ form, formText, from, fromText, world, copy, copyMore, paste, helpers, follow },
     header: h(
       'header',
       {},
       h('h2', {}, TEXT.aim.title),
-      h('span', { class: 'soft' }, TEXT.pose.frame),
+      world,
+      dropdown(from),
       h('span', { class: 'grow' }),
       h('div', { class: 'split-pair' }, copy, dropdown(copyMore)),
       follow,

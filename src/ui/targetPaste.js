@@ -98,7 +98,7 @@ export function createTargetPaste(page, fields, host, onClose) {
     if (!found || !reading) return;
     angle.hidden = reading.kind !== 'form' || !reading.form.quantities.includes('angle');
     const units = /** @type {Units} */ ({ length: length.value, angle: angle.value });
-    now.read = readAs(reading, found.numbers, units, robot, fields.target(store.state));
+    now.read = readAs(reading, found.numbers, units, robot, fields.seen());
     const { target, fault, mended } = now.read;
     fill(preview, target && targetGrid(target));
     mend.hidden = !mended;
@@ -151,7 +151,7 @@ export function createTargetPaste(page, fields, host, onClose) {
   use.addEventListener('click', () => {
     const target = now.read?.target;
     if (!target) return;
-    store.dispatch({ type: 'show', change: { target, answer: null } });
+    store.dispatch(fields.aimAt(target));
     announce(words.done);
     onClose();
   });

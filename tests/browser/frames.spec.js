@@ -73,6 +73,15 @@ test('a user frame is offered where axes are chosen, and its targets move with i
   await page.getByRole('button', { name: 'Aim at aim_1' }).click();
   await expect(page.getByLabel(/^Target X,/)).toHaveValue('500');
 
+  // the same target, told as a controller tells it in its user frame
+  await page.locator('.aim-panel').getByRole('button', { name: 'in world' }).click();
+  await page.getByRole('button', { name: 'in part the active user frame' }).click();
+  await expect(page.getByLabel(/^Target X,/)).toHaveValue('0');
+  await page.getByLabel(/^Target Z,/).fill('-40');
+  await page.getByRole('button', { name: 'Move there' }).click();
+  await expect(page.locator('.verdict-line')).toContainText('Reached');
+  await expect(page.getByLabel(/^Target Z,/)).toHaveValue('−40');
+
   const name = page.getByRole('textbox', { name: 'Name of user frame part' });
   await name.fill('a part');
   await name.press('Enter');
@@ -83,7 +92,23 @@ test('a user frame is offered where axes are chosen, and its targets move with i
   await page.getByRole('button', { name: 'By three points' }).click();
   await expect(page.getByRole('button', { name: 'Take the TCP as: Origin' })).toBeFocused();
   await page.keyboard.press('Enter');
+  await expect(page.locator('.tag.taught')).toHaveText(['1']);
   await page.getByRole('button', { name: 'Make the frame' }).click();
   await expect(page.getByText('Not taken yet: On the X axis.', { exact: true }).first()).toBeVisible();
   await expectAccessible(page, { within: '#fold-frames-body' });
+  await page.getByRole('button', { name: 'Cancel' }).click();
+  await expect(page.locator('.tag.taught')).toHaveCount(0);
+
+  // on the pendant: the tool and the user frame are chosen beside the buttons, by keys
+  const jog = page.locator('.jog-panel');
+  await jog.getByRole('button', { name: 'Tool', exact: true }).click();
+  await jog.getByRole('button', { name: 'User frame 1 part' }).focus();
+  await page.keyboard.press('ArrowDown');
+  await expect(page.getByRole('button', { name: 'World the world’s own axes' })).toBeFocused();
+  await page.keyboard.press('Enter');
+  await expect(jog.getByRole('button', { name: 'User frame world' })).toBeFocused();
+  await expect(page.getByRole('radio', { name: 'Use the world, no user frame' })).toBeChecked();
+  await expect(page.locator('.aim-panel').getByRole('button', { name: /^in / })).toHaveCount(0);
+  await page.keyboard.press('Control+z');
+  await expect(jog.getByRole('button', { name: 'User frame 1 part' })).toBeVisible();
 });

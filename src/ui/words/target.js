@@ -29,6 +29,13 @@ export const TARGET = {
     choose: 'How the target is written',
     now: (/** @type {string} */ form) => `The target is written as ${form}.`,
   },
+  from: {
+    world: () => 'in world',
+    user: (/** @type {string | undefined} */ id) => `in ${id}`,
+  },
+  fromHeading: 'The numbers are seen from',
+  fromUser: 'the active user frame',
+  fromNow: (/** @type {string} */ from) => `The target is written ${from}.`,
   copied: { pose: 'the target', matrix: 'the target’s matrix' },
   copyOther: { pose: 'The numbers', matrix: 'The matrix' },
 

@@ -180,12 +180,14 @@ describe('a user frame', () => {
   test('is the world where none is active, and wherever it was chosen then', () => {
     const store = start();
     act(store, add('user', TABLE), { type: 'choose-user', index: 0 });
-    const { handle, jog, numbers } = store.state.session;
+    const { handle, jog, jacobian, numbers } = store.state.session;
     store.dispatch({
       type: 'show',
       change: {
         handle: { ...handle, axes: 'user' },
         jog: { ...jog, frame: 'user' },
+        jacobian: { ...jacobian, frame: 'user' },
+        targetFrom: 'user',
         numbers: { ...numbers, frame: 'tool', from: 'user' },
       },
     });
@@ -198,7 +200,9 @@ describe('a user frame', () => {
     expect([store.state.doc.activeUser, store.state.session.jog.frame]).toEqual(['table', 'user']);
     act(store, { type: 'remove-frame', index: 0 });
     const { session } = store.state;
-    expect([session.handle.axes, session.jog.frame, session.numbers.from]).toEqual(['world', 'world', 'world']);
+    const { handle: axesNow, jog: jogNow, jacobian: rows, numbers: shownNow, targetFrom } = session;
+    const chosen = [axesNow.axes, jogNow.frame, rows.frame, shownNow.from, targetFrom];
+    expect(chosen).toEqual(chosen.map(() => 'world'));
   });
 
   test('takes its targets along, and leaves them where they are when it goes', () => {

@@ -5,6 +5,7 @@ import { poseFromXyzwpr } from '../../../src/model/aim.js';
 import { ORIENTATION_FORMS, orientationForm } from '../../../src/model/orientationForms.js';
 import { firstRobot } from '../../../src/model/shelf.js';
 import { targetFrom, targetNumbers } from '../../../src/model/targetForm.js';
+import { targetGivenIn, targetSeenFrom } from '../../../src/model/targetFrame.js';
 import { targetFromMatrix, targetRows } from '../../../src/model/targetMatrix.js';
 import { SEED, runs } from '../../helpers/property.js';
 
@@ -73,5 +74,33 @@ describe('a matrix', () => {
     expect(targetFromMatrix(robot, across).fault?.kind).toBe('bottom-row');
     const twice = [2, 0, 0, 1, 0, 2, 0, 2, 0, 0, 2, 3, 0, 0, 0, 1];
     expect(targetFromMatrix(robot, twice).fault).toMatchObject({ kind: 'skew', by: 3, mended: null });
+  });
+});
+
+describe('a target in a user frame', () => {
+  // at 400, −200, 50, turned by a right angle about Z
+  const T_world_user = Float64Array.of(0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 0.4, -0.2, 0.05, 1);
+
+  test('has the numbers that a controller shows there', () =>
+    property(anyTarget, ([x, y, z, w, p, r]) => {
+      fc.pre(Math.abs(p) < 89); // where W and R are angles of their own
+      const seen = targetSeenFrom(robot, T_world_user, [x, y, z, w, p, r]);
+      [y + 200, 400 - x, z - 50, w, p].forEach((value, k) =>
+        expect(Math.abs(seen[k] - value) % 360).toBeLessThan(1e-6),
+      );
+      expect(Math.abs(Math.sin((((seen[5] - r + 90) / 2) * Math.PI) / 180))).toBeLessThan(1e-7);
+    }));
+
+  test('there and back is the same pose, and in the world the same numbers', () =>
+    property(anyTarget, (target) => {
+      const again = targetGivenIn(robot, T_world_user, targetSeenFrom(robot, T_world_user, target));
+      expect(apart(poseFromXyzwpr(robot, again), poseFromXyzwpr(robot, target))).toBeLessThan(1e-9);
+      expect(targetSeenFrom(robot, null, target)).toBe(target);
+      expect(targetGivenIn(robot, null, target)).toBe(target);
+    }));
+
+  test('rounding leaves no digits where there is nothing', () => {
+    expect(targetSeenFrom(robot, T_world_user, [400, -200, 50, 0, 0, 90])).toEqual([0, 0, 0, 0, 0, 0]);
+    expect(targetSeenFrom(robot, T_world_user, [500, -200, 50, 180, 0, 90]).slice(0, 3)).toEqual([0, -100, 0]);
   });
 });

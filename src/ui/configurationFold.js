@@ -1,0 +1,28 @@
+/**
+ * Below the tool's pose: what controllers call the posture, folded. It is fetched when it is first opened, and opens with the
+ * pendant's numbers.
+ *
+ * @import { Page } from './page.js'
+ */
+import { hasPendant } from '../model/controllerData.js';
+import { foldMaker } from './fold.js';
+import { TEXT } from './strings.js';
+
+/** @param {Page} page */
+export function createConfigurationFold(page) {
+  const fold = foldMaker(page.clock, page.messages.fault)('fold-configuration', async (body) =>
+    (await import('./configurationLine.js')).createConfigurationLine(page, body),
+  );
+  fold.setHead(TEXT.pose.configuration, TEXT.pose.configurationDetail);
+  page.addView(
+    ({ doc }) => hasPendant(doc.robot),
+    (isOffered) => (fold.element.hidden = !isOffered),
+  );
+  page.addView(
+    ({ session }) => session.numbers.isPendant,
+    (isPendant) => {
+      if (isPendant) void fold.set(true, false); // the hand is at the switch
+    },
+  );
+  return fold.element;
+}

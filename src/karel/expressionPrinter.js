@@ -74,9 +74,11 @@ export function callText({ name, args }) {
   return args.length ? `${identifier(name)}(${listText(args.map(expressionText))})` : identifier(name);
 }
 
-/** What can be assigned to: a name, with indices and fields. @param {Designator} designator @returns {string} */
+/** What can be assigned to: a name, with indices and fields. @param {Designator | Call} designator @returns {string} */
 export function designatorText(designator) {
   switch (designator.kind) {
+    case 'call':
+      return callText(designator);
     case 'name':
       return referenceName(designator.name);
     case 'system':

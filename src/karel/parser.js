@@ -3,23 +3,28 @@
  * a tree, of what could be read, and says of everything else what was expected and what came. Text of a file that is
  * included, which has no PROGRAM, becomes a fragment.
  *
+ * What `ktransw` adds to the language is expanded before, as far as it is known here (`scan/preprocessor.js`).
+ *
  * @import { Declaration, Directive, Fragment, Program, Statement } from './tree.js'
- * @import { Cursor, Diagnostic, Locate } from './parse/cursor.js'
+ * @import { Cursor, Diagnostic } from './parse/cursor.js'
  */
 import { readBody, withoutTrailing } from './parse/blocks.js';
 import { createCursor, FAULT, shownToken } from './parse/cursor.js';
 import { readDeclarations, readEnd, readConstant, readEntries } from './parse/declarations.js';
 import { readStatement, readStatements } from './parse/statements.js';
 import { readDeclared, readTypeDefinition } from './parse/types.js';
-import { lineStarts, placeOf } from './scan/places.js';
+import { preprocess } from './scan/preprocessor.js';
 import { scan } from './scan/scanner.js';
+
+/** @typedef {Readonly<Record<string, string>>} Files  by their names */
 
 /**
  * @param {string} text
+ * @param {{ files?: Files }} [options]  what the preprocessor may include
  * @returns {{ tree: Program | Fragment, diagnostics: Diagnostic[] }}
  */
-export function parseKarel(text) {
-  const { cursor, diagnostics } = openText(text);
+export function parseKarel(text, { files = {} } = {}) {
+  const { cursor, diagnostics } = openText(text, files);
   const tree = isProgram(cursor) ? readProgram(cursor) : readFragment(cursor);
   return { tree, diagnostics: inOrder(diagnostics) };
 }
@@ -28,9 +33,10 @@ export function parseKarel(text) {
  * The text of an included file, as what it is included into.
  * @param {string} text
  * @param {'constants' | 'types' | 'variables' | 'fields' | 'declarations' | 'statements'} where
+ * @param {{ files?: Files }} [options]
  */
-export function parseIncluded(text, where) {
-  const { cursor, diagnostics } = openText(text);
+export function parseIncluded(text, where, { files = {} } = {}) {
+  const { cursor, diagnostics } = openText(text, files);
   const bare = /** @type {const} */ (true);
   /** @type {(Declaration | Statement)[]} */
   const parts = [];
@@ -43,21 +49,19 @@ export function parseIncluded(text, where) {
   return { tree: { kind: /** @type {const} */ ('fragment'), parts }, diagnostics: inOrder(diagnostics) };
 }
 
-/** @param {string} text */
-function openText(text) {
+/** @param {string} text @param {Files} files */
+function openText(text, files) {
   /** @type {Diagnostic[]} */
   const diagnostics = [];
-  const starts = lineStarts(text);
-  /** @type {Locate} */
-  const locate = (start, end) => ({ start, end, ...placeOf(starts, start) });
+  const { text: expanded, macros, locate } = preprocess(text, files, diagnostics);
   const report = (
     /** @type {string} */ code,
     /** @type {string} */ message,
     /** @type {number} */ start,
     /** @type {number} */ end,
   ) => void diagnostics.push({ severity: 'error', code, message, span: locate(start, end) });
-  const tokens = scan(text, report);
-  return { cursor: createCursor(tokens, locate, diagnostics), diagnostics };
+  const tokens = scan(expanded, report);
+  return { cursor: createCursor(tokens, locate, diagnostics, macros), diagnostics };
 }
 
 /** @param {Diagnostic[]} diagnostics */

@@ -82,7 +82,7 @@
  * @typedef {Spanned & { kind: 'string-type', length?: number | Expression }} StringType  a parameter has no length
  * @typedef {Spanned & { kind: 'array-type', sizes: readonly (number | '*' | Expression)[], of: NamedType | StringType }} ArrayType
  *   without sizes: `ARRAY OF`
- * @typedef {NamedType | StringType | ArrayType} TypeNode
+ * @typedef {NamedType | StringType | ArrayType | PathType} TypeNode
  *
  * @typedef {Spanned & { kind: 'comment', text: string, trailing?: true }} Comment  trailing: behind what stands before it
  *
@@ -159,8 +159,8 @@
  * @typedef {Spanned & { kind: 'string', value: string }} StringLiteral
  * @typedef {Spanned & { kind: 'name', name: string }} Name   a variable, a constant, or a function without arguments
  * @typedef {Spanned & { kind: 'system', name: string }} SystemName  `$SPEED`, without $; so are its fields
- * @typedef {Spanned & { kind: 'index', target: Designator, indices: readonly Expression[] }} Index
- * @typedef {Spanned & { kind: 'field', target: Designator, name: string, system?: true }} Field
+ * @typedef {Spanned & { kind: 'index', target: Designator | Call, indices: readonly Expression[] }} Index
+ * @typedef {Spanned & { kind: 'field', target: Designator | Call, name: string, system?: true }} Field
  * @typedef {Spanned & { kind: 'range', target: Designator, from: Expression, to: Expression }} Range  `path[2..5]`
  * @typedef {Name | SystemName | Index | Field} Designator   what can be assigned to
  * @typedef {Spanned & { kind: 'unary', operator: UnaryOperator, operand: Expression }} Unary

@@ -110,9 +110,9 @@ export function createCursor(tokens, locate, diagnostics, macros = false) {
     isMacroUse: (ahead = 0) =>
       macros && isSign('(', ahead + 1) && !peek(ahead + 1).fresh && !isReserved(peek(ahead).upper),
     /** Leave it out. */
-    skipMacroUse() {
+    skipMacroUse(what = 'a declaration') {
       const token = advance();
-      const message = `Expected a declaration, got "${token.text}(…)": no macro of this name is known, and it is left out.`;
+      const message = `Expected ${what}, got "${token.text}(…)": no macro of this name is known, and it is left out.`;
       report('warning', 'unknown-macro', message, token.start, token.end);
       for (let open = 0; peek().type !== 'end';) {
         if (isSign('(')) open++;

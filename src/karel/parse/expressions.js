@@ -11,6 +11,9 @@ const RELATIONS = new Set(['=', '<>', '<', '>', '<=', '>=', '>=<']);
 const SUMS = new Set(['+', '-', 'OR']);
 const PRODUCTS = new Set(['*', '/', 'AND', 'DIV', 'MOD']);
 const POSITIONS = new Set([':', '@', '#']);
+/** More than any program has, and fewer than would be too deep a tree. */
+const MAX_OPERATORS = 1000;
+
 const LOGIC = new Set(['AND', 'OR']);
 
 /**
@@ -23,10 +26,11 @@ export function readExpression(cursor, { withoutLogic = false, stops = () => fal
   const chain = (operators, operand) => {
     const from = cursor.position();
     let left = operand();
-    while (true) {
+    for (let count = 0; ; count++) {
       const token = cursor.peek();
       if ((token.type !== 'sign' && token.type !== 'word') || !operators.has(token.upper)) return left;
       if (!cursor.continues() || (withoutLogic && LOGIC.has(token.upper)) || stops()) return left;
+      if (count >= MAX_OPERATORS) cursor.fail(`at most ${MAX_OPERATORS} operators in a row`);
       cursor.advance();
       const operator = /** @type {BinaryOperator} */ (token.upper);
       left = cursor.node(from, { kind: 'binary', operator, left, right: operand() });
@@ -97,7 +101,8 @@ export function readReference(cursor) {
   const from = cursor.position();
   if (cursor.isSign('(', 1) && !cursor.peek(1).fresh) {
     const { text } = cursor.advance();
-    return cursor.node(from, { kind: 'call', name: text, args: readArguments(cursor) });
+    const call = cursor.node(from, { kind: /** @type {const} */ ('call'), name: text, args: readArguments(cursor) });
+    return readSuffixes(cursor, from, call);
   }
   return readDesignator(cursor);
 }
@@ -131,8 +136,10 @@ export function readDesignator(cursor) {
   return readSuffixes(cursor, from, target);
 }
 
-/** Indices and fields. @param {Cursor} cursor @param {number} from @param {Designator} target @returns {Designator} */
-function readSuffixes(cursor, from, target) {
+/** Indices and fields. @param {Cursor} cursor @param {number} from @template {Designator | Call} T @param {T} start @returns {T | Designator} */
+function readSuffixes(cursor, from, start) {
+  /** @type {T | Designator} */
+  let target = start;
   while (cursor.continues()) {
     if (cursor.isSign('[')) {
       if (isRange(cursor)) return target;

@@ -11,6 +11,8 @@ import { readDirective } from './directives.js';
 /** @param {Cursor} cursor @returns {TypeNode} */
 export function readType(cursor) {
   const from = cursor.position();
+  if (cursor.isWord('PATH') && (cursor.isWord('NODEDATA', 1) || cursor.isWord('PATHHEADER', 1)))
+    return readPathType(cursor);
   if (!cursor.takeWord('ARRAY')) return readElementType(cursor);
   const sizes = cursor.isSign('[')
     ? cursor.bracketed('[', () => readList(cursor, () => (cursor.takeSign('*') ? '*' : readSize(cursor))), ']')
@@ -46,7 +48,8 @@ function readElementType(cursor) {
     return cursor.node(from, { kind: 'string-type', length });
   }
   if (isReserved(token.upper) && !isTypeWord(token.upper)) return cursor.fail('a type');
-  cursor.advance();
+  if (cursor.isMacroUse()) cursor.skipMacroUse('a type');
+  else cursor.advance();
   return cursor.node(from, { kind: 'type', name: token.text });
 }
 

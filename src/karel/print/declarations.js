@@ -1,7 +1,7 @@
 /**
  * Declarations as lines of text.
  *
- * @import { Comment, Constant, Declaration, Declared, Directive, Expression, Routine, TypeDefinition, TypeNode } from '../tree.js'
+ * @import { Comment, Constant, Declaration, Declared, Directive, Expression, PathType, Routine, TypeDefinition, TypeNode } from '../tree.js'
  */
 import { BREAK, expressionText, listText } from '../expressionPrinter.js';
 import { integerText } from '../numberText.js';
@@ -73,12 +73,16 @@ function typeLines({ name, from, definition }) {
     const fields = entryLines(definition.fields, (field) => [declaredText(field, word)]);
     return [`${header} STRUCTURE`, ...indented(fields), 'ENDSTRUCTURE'];
   }
-  const { node, header: pathHeader } = definition;
+  return [`${header} ${pathText(definition)}`];
+}
+
+/** @param {PathType} type */
+function pathText({ node, header }) {
   const data = [
     ...(node === undefined ? [] : [`NODEDATA = ${typeName(node)}`]),
-    ...(pathHeader === undefined ? [] : [`PATHHEADER = ${typeName(pathHeader)}`]),
+    ...(header === undefined ? [] : [`PATHHEADER = ${typeName(header)}`]),
   ];
-  return [`${header} PATH${data.length ? ` ${data.join(', ')}` : ''}`];
+  return `PATH${data.length ? ` ${data.join(', ')}` : ''}`;
 }
 
 /** @param {Declared} declared @param {(name: string) => string} [print] */
@@ -103,6 +107,8 @@ function typeText(type) {
       }
       if (type.sizes.length === 0) return `ARRAY OF ${typeText(type.of)}`;
       return `ARRAY[${type.sizes.map((size) => (size === '*' ? size : sizeText(size, Infinity))).join(', ')}] OF ${typeText(type.of)}`;
+    case 'path-type':
+      return pathText(type);
     default: {
       /** @type {never} */
       const unknown = type;

@@ -189,6 +189,7 @@ const plainType = fc.oneof(
 );
 const type = fc.oneof(
   plainType,
+  fc.constant({ kind: 'path-type', node: 'my_type' }),
   fc.record({
     kind: fc.constant('array-type'),
     sizes: fc.array(fc.oneof(size, fc.constant('*')), { maxLength: 3 }),

@@ -12,13 +12,25 @@
  * @property {number} across   the axis across the plane in which arrow keys move the tool
  */
 import { identity } from '../kinematics/pose.js';
+import { roundStep } from './roundStep.js';
 import { toRadians } from './units.js';
 
 /** @type {Handle} */
 export const FIRST_HANDLE = { isShown: null, axes: 'base', snaps: false, across: 2 };
 
-/** Steps of a drag that snaps, and of a key: metres and radians. */
-export const HANDLE_STEP = { metres: 0.01, radians: toRadians(5) };
+/** Of its characteristic length, what a step of the tool is about: 10 mm for an arm that reaches a metre. */
+const STEP_SHARE = 1 / 50;
+const TURN_STEP = toRadians(5);
+
+/**
+ * The steps of a drag that snaps, and of a key: round ones, small and large as the arm is.
+ * @param {Pick<Chain, 'characteristicLength'>} chain
+ * @returns {{ metres: number, radians: number }}
+ */
+export const handleStep = ({ characteristicLength }) => ({
+  metres: roundStep(characteristicLength * STEP_SHARE).step,
+  radians: TURN_STEP,
+});
 
 /**
  * The pose whose axes they are; where it is does not matter.

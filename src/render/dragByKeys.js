@@ -8,7 +8,7 @@
  * @import { ToolStep } from './dragKeys.js'
  * @import { State } from './robotView.js'
  */
-import { HANDLE_STEP, poseOfAxes } from '../model/handleAxes.js';
+import { handleStep, poseOfAxes } from '../model/handleAxes.js';
 import { isHandleShown } from '../model/handleShown.js';
 import { turned } from './dragGoal.js';
 import { nextPlane, toolStep } from './dragKeys.js';
@@ -77,16 +77,15 @@ export function createToolKeys({ store, derived }, { canvas, room, run, isWide, 
     const across = [0, 1, 2].find((axis) => steps.every((each) => each.axis !== axis)) ?? step.axis;
     chosen = steps.length === 2 ? { kind: 'plane', axis: across } : { kind: isTurn ? 'turn' : 'move', axis: step.axis };
     onChange();
-    const axes = poseOfAxes(now.handle.axes, derived.chain(doc), from, userFrame());
+    const chain = derived.chain(doc);
+    const { metres, radians } = handleStep(chain);
+    const axes = poseOfAxes(now.handle.axes, chain, from, userFrame());
     const axisOf = (/** @type {ToolStep} */ { axis }) => [...axes.subarray(4 * axis, 4 * axis + 3)];
     if (isTurn) {
-      run.aimAt(turned(from, axisOf(step), step.steps * HANDLE_STEP.radians));
+      run.aimAt(turned(from, axisOf(step), step.steps * radians));
       return;
     }
-    const place = steps.reduce(
-      (sum, each) => plus(sum, each.steps * HANDLE_STEP.metres, axisOf(each)),
-      [...from.subarray(12, 15)],
-    );
+    const place = steps.reduce((sum, each) => plus(sum, each.steps * metres, axisOf(each)), [...from.subarray(12, 15)]);
     const goal = from.slice();
     goal.set(place, 12);
     run.aimAt(goal);

@@ -11,7 +11,6 @@
  */
 import { poseFromRotationVector } from '../kinematics/orientations/axisAngle.js';
 import { compose } from '../kinematics/pose.js';
-import { HANDLE_STEP } from '../model/handleAxes.js';
 import { alongAxis, dot, minus, onPlane, plus, snap } from './dragRays.js';
 import { beginTurn } from './dragTurn.js';
 
@@ -22,12 +21,13 @@ import { beginTurn } from './dragTurn.js';
  * @param {readonly Vector[]} begin.axes  unit vectors
  * @param {Vector} begin.point     on the part: what was taken hold of
  * @param {number} begin.farthest  m; a pointer near the horizon asks for no more
+ * @param {{ metres: number, radians: number }} begin.step  of a drag that snaps
  * @param {Sight} begin.sight
  * @param {number} begin.x
  * @param {number} begin.y
  * @returns {GoalAt | null} null if the part cannot be dragged as it is seen
  */
-export function beginGoal({ part, T_world_tcp, axes, point, farthest, sight, x, y }) {
+export function beginGoal({ part, T_world_tcp, axes, point, farthest, step, sight, x, y }) {
   const { kind, axis: k } = part;
   const centre = [...T_world_tcp.subarray(12, 15)];
   /** @param {Vector} by */
@@ -44,7 +44,7 @@ export function beginGoal({ part, T_world_tcp, axes, point, farthest, sight, x, 
     const turnTo = beginTurn({ centre, axis, point, sight, x, y });
     return (now, px, py, snaps) => {
       const angle = turnTo(now, px, py);
-      return angle === null ? null : turned(T_world_tcp, axis, snaps ? snap(angle, HANDLE_STEP.radians) : angle);
+      return angle === null ? null : turned(T_world_tcp, axis, snaps ? snap(angle, step.radians) : angle);
     };
   }
   if (kind === 'move') {
@@ -54,7 +54,7 @@ export function beginGoal({ part, T_world_tcp, axes, point, farthest, sight, x, 
       const at = alongAxis(now.ray(px, py), centre, axes[k]);
       if (at === null) return null;
       const way = at - start;
-      return moved(plus([0, 0, 0], snaps ? snap(way, HANDLE_STEP.metres) : way, axes[k]));
+      return moved(plus([0, 0, 0], snaps ? snap(way, step.metres) : way, axes[k]));
     };
   }
   const normal = kind === 'plane' ? axes[k] : sight.towards(centre);
@@ -64,7 +64,7 @@ export function beginGoal({ part, T_world_tcp, axes, point, farthest, sight, x, 
     const at = onPlane(now.ray(px, py), centre, normal);
     if (at === null) return null;
     const way = minus(at, start);
-    return moved(snaps ? snappedAlong(way, axes) : way);
+    return moved(snaps ? snappedAlong(way, axes, step.metres) : way);
   };
 }
 
@@ -81,9 +81,6 @@ export function turned(T, axis, angle) {
   return next;
 }
 
-/** In whole steps along each of the axes. @param {Vector} way @param {readonly Vector[]} axes */
-const snappedAlong = (way, axes) =>
-  axes.reduce(
-    (/** @type {Vector} */ sum, axis) => plus(sum, snap(dot(way, axis), HANDLE_STEP.metres), axis),
-    [0, 0, 0],
-  );
+/** In whole steps along each of the axes. @param {Vector} way @param {readonly Vector[]} axes @param {number} step */
+const snappedAlong = (way, axes, step) =>
+  axes.reduce((/** @type {Vector} */ sum, axis) => plus(sum, snap(dot(way, axis), step), axis), [0, 0, 0]);

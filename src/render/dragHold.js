@@ -22,6 +22,7 @@
  * @property {() => void} cancel
  */
 import { Raycaster, Vector3 } from 'three';
+import { handleStep } from '../model/handleAxes.js';
 import { beginGoal } from './dragGoal.js';
 import { partAt } from './handleParts.js';
 
@@ -101,7 +102,8 @@ export function createHolds({ store, derived }, { stage, handle, run, links, isV
         const { doc } = store.state;
         const T_world_tcp = derived.tcp(doc);
         const farthest = FARTHEST * handle.size;
-        goalAt = beginGoal({ part, T_world_tcp, axes: placed.axes, point: held, farthest, sight, x, y });
+        const step = handleStep(derived.chain(doc));
+        goalAt = beginGoal({ part, T_world_tcp, axes: placed.axes, point: held, farthest, step, sight, x, y });
       },
       move(event) {
         const goal = handle.sight && goalAt?.(handle.sight, ...placeOf(event), doesSnap(event));

@@ -6,14 +6,14 @@
  * @import { Sight } from './sight.js'
  */
 import { quantityOf } from '../model/document.js';
-import { HANDLE_STEP } from '../model/handleAxes.js';
+import { handleStep } from '../model/handleAxes.js';
 import { inside } from '../model/jogRange.js';
-import { fromKernel, toRadians } from '../model/units.js';
+import { fromKernel } from '../model/units.js';
 import { beginJoint } from './dragJoint.js';
 import { snap } from './dragRays.js';
 
-/** No hand is finer than this, and numbers stay readable. */
-const FINEST = { metres: 1e-4, radians: toRadians(0.1) };
+/** No hand is finer than this, and numbers stay readable: as shares of a step that snaps. */
+const FINEST = { metres: 1 / 100, radians: 1 / 50 };
 
 /**
  * @param {Pick<State, 'store' | 'derived'>} state
@@ -30,7 +30,8 @@ export function createJointDrag({ store, derived }, { onStep }) {
     hold({ joint, point, sight, x, y }) {
       const { doc } = store.state;
       const { robot } = doc;
-      const wayAt = beginJoint({ chain: derived.chain(doc), q: derived.posture(doc), joint, point, sight, x, y });
+      const chain = derived.chain(doc);
+      const wayAt = beginJoint({ chain, q: derived.posture(doc), joint, point, sight, x, y });
       if (!wayAt) return null;
       const gesture = `link-${++count}`;
       const row = robot.joints[joint];
@@ -53,7 +54,7 @@ export function createJointDrag({ store, derived }, { onStep }) {
         move(now, px, py, snaps) {
           const way = isOurs() ? wayAt(now, px, py) : null;
           if (way === null) return;
-          const step = fromKernel(quantity, (snaps ? HANDLE_STEP : FINEST)[unit], robot.units);
+          const step = fromKernel(quantity, handleStep(chain)[unit] * (snaps ? 1 : FINEST[unit]), robot.units);
           const wanted = Number(snap(start + fromKernel(quantity, way, robot.units), step).toPrecision(12));
           const value = store.state.session.numbers.keepsLimits ? inside(row, wanted) : wanted;
           store.dispatch({ type: 'set-joint-value', joint, value, gesture });

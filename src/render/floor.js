@@ -5,25 +5,21 @@
  * @import { Skin } from './skins.js'
  */
 import { Color, DoubleSide, Group, Mesh, PlaneGeometry, ShaderMaterial, ShadowMaterial } from 'three';
+import { roundStep } from '../model/roundStep.js';
 
 /** How many small squares the arm's size is about. */
 const SQUARES = 17;
 
 /**
- * The steps of a grid for an arm of this size: 1, 2 or 5 times a power of ten, whichever is nearest by ratio.
+ * The steps of a grid for an arm of this size.
  * @example
  * gridSteps(1.69) // → { minor: 0.1, major: 0.5 }
  * @param {number} size metres
  * @returns {{ minor: number, major: number }}
  */
 export function gridSteps(size) {
-  const wanted = size / SQUARES;
-  const exponent = Math.floor(Math.log10(wanted));
-  const rest = wanted / 10 ** exponent;
-  const [digit, times] =
-    rest < Math.SQRT2 ? [1, 5] : rest < Math.sqrt(10) ? [2, 5] : rest < Math.sqrt(50) ? [5, 4] : [10, 5];
-  // by way of text, since 10 ** -3 times 2 is not the number that 0.002 means
-  return { minor: Number(`${digit}e${exponent}`), major: Number(`${digit * times}e${exponent}`) };
+  const { digit, exponent, step } = roundStep(size / SQUARES);
+  return { minor: step, major: Number(`${digit === 5 ? 20 : 5 * digit}e${exponent}`) };
 }
 
 const VERTEX = `varying vec2 place;

@@ -56,7 +56,7 @@ export function createRobotView({ store, addView, derived, clock }, options) {
       stage.showPosture(derived.posture(store.state.doc));
       // Another arm is brought into the picture; one whose table is edited stays where the person looks at it.
       const isOther = robot.name !== shown.name || Math.abs(Math.log(chain.reach / shown.reach)) > OTHER_SIZE;
-      if (edition !== shown.edition && isOther) stage.fit();
+      if (edition !== shown.edition && isOther) stage.fitOther();
       shown = { edition, name: robot.name, reach: chain.reach };
     },
   );

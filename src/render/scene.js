@@ -18,6 +18,7 @@ import { compose } from '../kinematics/pose.js';
 import { createArmModel } from './armModel.js';
 import { disposeOf } from './fatLines.js';
 import { createFloor, gridSteps } from './floor.js';
+import { homeDirection } from './homeDirection.js';
 import { createLights } from './lights.js';
 import { createMarks } from './marks.js';
 import { createTriad } from './triad.js';
@@ -222,10 +223,12 @@ export function createScene({ skin, isLow, labels, text, onChange, onGridStep })
       onChange({ castsAnew: false });
     },
 
-    /** What has to get into the picture, and how large the arm is; nothing if there is no arm. */
+    /** What has to get into the picture, how large the arm is, and from where it is seen best; nothing if there is no arm. */
     extent() {
       if (!shown?.isPlaced) return null;
-      return { corners: [...arm.corners(), ...base.tips(), ...tool.tips()], size: shown.parts.size };
+      const { chain, frames, parts } = shown;
+      const corners = [...arm.corners(), ...base.tips(), ...tool.tips()];
+      return { corners, size: parts.size, home: homeDirection(chain, frames) };
     },
 
     /** What a camera that goes near a row has to get into the picture: its two frames, and room about them. @param {number} joint */

@@ -59,6 +59,8 @@ export function createStage({ host, clock, quality, text, isCalm = () => false, 
   let castsAnew = true;
   let isBroken = false;
   let isFitted = false;
+  /** The arm is seen from where it is seen best. */
+  let isAtHome = false;
   /** Where the view was before it went near something. @type {(Viewpoint & { free: Rectangle | null }) | null} */
   let left = null;
   /** The joint that it went near to. @type {number | null} */
@@ -120,7 +122,13 @@ export function createStage({ host, clock, quality, text, isCalm = () => false, 
     if (!extent || !surface?.width || !surface.height) return;
     isFitted = true;
     left = null;
-    view.fit(extent.corners, extent.size, { free: freePart(), from, flies });
+    isAtHome = from ? from === 'home' : isAtHome && view.isUntouched;
+    view.fit(extent.corners, extent.size, { free: freePart(), from: from === 'home' ? extent.home : from, flies });
+  }
+
+  /** Another arm is seen as it is seen best, unless a person has chosen from where. */
+  function fitOther() {
+    fit(isAtHome && view.isUntouched ? { from: 'home' } : {});
   }
 
   /** An arm that has grown out of the picture, where nobody has chosen what is seen of it, is brought back. */
@@ -154,6 +162,7 @@ export function createStage({ host, clock, quality, text, isCalm = () => false, 
   /** @param {number | null} joint @param {boolean} flies @returns {boolean} whether there is anything to go near */
   function goNear(joint, flies) {
     const extent = joint === null ? null : scene.extentOfRow(joint);
+    isAtHome &&= view.isUntouched;
     if (extent) view.fit(extent.corners, extent.size, { free: freePart(), from: null, flies, fill: 'part' });
     return extent !== null;
   }
@@ -186,6 +195,7 @@ export function createStage({ host, clock, quality, text, isCalm = () => false, 
     project: (projection) => view.project(projection === 'parallel'),
     setTheme: () => scene.setSkin(currentSkin()),
     fit,
+    fitOther,
     keepInPicture,
     look,
     closeIn,

@@ -6,7 +6,7 @@
  * at just as large.
  *
  * @import { Vector3 as Vector } from 'three'
- * @import { Viewpoint, ViewName } from './viewpoint.js'
+ * @import { Direction, Viewpoint, ViewName } from './viewpoint.js'
  * @import { Clock } from '../model/clock.js'
  */
 import { OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
@@ -210,7 +210,7 @@ export function createView(element, { clock, isCalm, onChange, onLook }) {
      * @param {number} size  of the arm
      * @param {object} how
      * @param {Rectangle | null} how.free  the whole view if null
-     * @param {ViewName | null} how.from  as it is seen now, or will be after a flight, if null
+     * @param {ViewName | Direction | null} how.from  as it is seen now, or will be after a flight, if null
      * @param {boolean} how.flies
      * @param {'whole' | 'part'} [how.fill]
      */
@@ -221,7 +221,7 @@ export function createView(element, { clock, isCalm, onChange, onLook }) {
       const part = free ?? { width, height };
       const tanX = (HALF_HEIGHT * FILL[fill][0] * part.width) / height;
       const tanY = (HALF_HEIGHT * FILL[fill][1] * part.height) / height;
-      const direction = from ? DIRECTIONS[from] : (bound ?? viewpoint());
+      const direction = typeof from === 'string' ? DIRECTIONS[from] : (from ?? bound ?? viewpoint());
       const axes = axesOf(direction);
       const { x, y, z, depth } = (isParallel ? fitParallel : fitCamera)(points, axes, { tanX, tanY });
       const distance = Math.max(depth, fill === 'whole' ? (LEAST_IN_VIEW * size) / (2 * tanY) : 0);

@@ -8,7 +8,7 @@
  * @import { Session } from '../model/session.js'
  */
 import $ from 'jquery/slim';
-import { HANDLE_STEP } from '../model/handleAxes.js';
+import { handleStep } from '../model/handleAxes.js';
 import { isHandleShown } from '../model/handleShown.js';
 import { fromKernel } from '../model/units.js';
 import { together } from '../model/views.js';
@@ -58,7 +58,7 @@ export function hindranceInWords(robot, { kind, joint, metres, radians }) {
  * @param {HTMLElement} host
  * @param {{ isWide: () => boolean, poseInWords: () => string }} given
  */
-export function createHandleBar({ store, addView, announce }, host, { isWide, poseInWords }) {
+export function createHandleBar({ store, addView, derived, announce }, host, { isWide, poseInWords }) {
   const line = h('p', { class: 'float drag-line', hidden: true });
   const axisButtons = AXES.map((axes) => h('button', { type: 'button', 'data-axes': axes }, words.axes[axes]));
   const snap = h('button', { type: 'button', class: 'btn snap', title: words.snapTitle });
@@ -81,15 +81,16 @@ export function createHandleBar({ store, addView, announce }, host, { isWide, po
     (isShown) => (bar.hidden = !isShown),
   );
   addView(
-    together(({ doc, session }) => [session.handle, doc.robot.units, doc.activeUser]),
-    ([{ axes, snaps }, units, user]) => {
+    together(({ doc, session }) => [session.handle, doc.robot, doc.activeUser]),
+    ([{ axes, snaps }, { units }, user]) => {
       for (const button of axisButtons) {
         button.setAttribute('aria-pressed', String(button.dataset.axes === axes));
         if (button.dataset.axes === 'user') button.hidden = user === undefined;
       }
       const step = (/** @type {'length' | 'angle'} */ quantity, /** @type {number} */ value) =>
         withUnit(plain(Number(fromKernel(quantity, value, units).toPrecision(3))), units[quantity]);
-      snap.textContent = words.snap(step('length', HANDLE_STEP.metres), step('angle', HANDLE_STEP.radians));
+      const { metres, radians } = handleStep(derived.chain(store.state.doc));
+      snap.textContent = words.snap(step('length', metres), step('angle', radians));
       snap.setAttribute('aria-pressed', String(snaps));
     },
   );

@@ -8,7 +8,7 @@
 /** @type {typeof Dropdown | null} once it is here */
 let plugin = null;
 
-const fetchPlugin = async () => (plugin ??= (await import('bootstrap/js/src/dropdown.js')).default);
+const fetchPlugin = async () => (plugin ??= (await import('./menuPlugin.js')).Dropdown);
 
 /** An open menu has other items now: it finds its place anew. @param {HTMLButtonElement} button */
 export const placeMenu = (button) => plugin?.getInstance(button)?.update();

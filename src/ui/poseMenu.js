@@ -11,7 +11,7 @@
  *
  * @typedef {{ heading: string, items: readonly MenuItem[] }} Section
  */
-import Dropdown from 'bootstrap/js/src/dropdown.js';
+import { Dropdown } from './menuPlugin.js';
 import { fill, h } from './dom.js';
 import { icon } from './icons.js';
 

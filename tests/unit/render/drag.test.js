@@ -1,6 +1,10 @@
 import fc from 'fast-check';
 import { OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
+import { createChain } from '../../../src/kinematics/chain.js';
+import { compileRobot } from '../../../src/model/compile.js';
+import { handleStep } from '../../../src/model/handleAxes.js';
+import { PUMA_560 } from '../../../src/model/library/first.js';
 import { alongAxis, angleAbout, onPlane, snap, unwrap } from '../../../src/render/dragRays.js';
 import { beginGoal } from '../../../src/render/dragGoal.js';
 import { beginTurn } from '../../../src/render/dragTurn.js';
@@ -16,6 +20,7 @@ import { SEED, runs } from '../../helpers/property.js';
  */
 const check = (property) => fc.assert(property, { seed: SEED, numRuns: runs(200) });
 
+const step = { metres: 0.01, radians: 0.1 };
 const number = fc.double({ min: -2, max: 2, noNaN: true });
 const point = fc.tuple(number, number, number);
 const direction = point.filter((v) => Math.hypot(...v) > 0.1).map((v) => v.map((x) => x / Math.hypot(...v)));
@@ -164,7 +169,17 @@ describe('a pointer in the picture', () => {
         const held = atHandle(placed, outlineOf(part)[1]);
         fc.pre(Math.abs(sight.towards(placed.centre)[axis]) < 0.95);
         const [x, y] = sight.project(held);
-        const goalAt = beginGoal({ part, T_world_tcp: T, axes: placed.axes, point: held, farthest: 9, sight, x, y });
+        const goalAt = beginGoal({
+          part,
+          T_world_tcp: T,
+          axes: placed.axes,
+          point: held,
+          farthest: 9,
+          step,
+          sight,
+          x,
+          y,
+        });
         const to = held.map((value, i) => value + (i === axis ? way : 0));
         const [px, py] = sight.project(to);
         const goal = goalAt?.(sight, px, py, false);
@@ -198,6 +213,7 @@ describe('a pointer in the picture', () => {
             axes: placed.axes,
             point: placed.centre,
             farthest: 9,
+            step,
             sight,
             x,
             y,
@@ -277,12 +293,29 @@ describe('a pointer in the picture', () => {
     const sight = sightOf(eyeOf(camera, 800, 600));
     const held = atHandle(placed, [0.6, 0, 0]);
     const [x, y] = sight.project(held);
-    const goalAt = beginGoal({ part, T_world_tcp: T, axes: placed.axes, point: held, farthest: 2, sight, x, y });
+    const goalAt = beginGoal({ part, T_world_tcp: T, axes: placed.axes, point: held, farthest: 2, step, sight, x, y });
     for (let px = -400; px < 1200; px += 7) {
       const goal = goalAt?.(sight, px, y, false);
       if (goal) expect(Math.abs(goal[12] - T[12])).toBeLessThanOrEqual(2 + 1e-12);
     }
   });
+});
+
+test('a step is round, and as large as the arm asks for: 10 mm for a Puma 560, from a toy of 20 mm to a crane of 20 m', () => {
+  expect(handleStep(compileRobot(PUMA_560)).metres).toBe(0.01);
+  const armOf = (/** @type {number} */ reach) =>
+    createChain({
+      convention: 'standard',
+      joints: [0.6, 0.4].map((share) => ({ type: 'revolute', theta: 0, d: 0, a: share * reach, alpha: 0 })),
+    });
+  expect(handleStep(armOf(0.02)).metres).toBe(0.0002);
+  expect(handleStep(armOf(20)).metres).toBe(0.2);
+  for (let reach = 0.001; reach < 1000; reach *= 1.13) {
+    const { metres } = handleStep(armOf(reach));
+    expect(['1', '2', '5']).toContain(metres.toExponential().split('e')[0]);
+    expect(reach / metres).toBeGreaterThan(63);
+    expect(reach / metres).toBeLessThan(159);
+  }
 });
 
 test('keys step along the axes, coarse with Shift and fine with Alt or Ctrl', () => {

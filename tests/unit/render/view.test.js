@@ -1,14 +1,68 @@
 import fc from 'fast-check';
 import { PerspectiveCamera, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
+import { createChain } from '../../../src/kinematics/chain.js';
+import { linkFrames } from '../../../src/kinematics/forward.js';
 import { createManualClock } from '../../../src/model/clock.js';
+import { compileRobot } from '../../../src/model/compile.js';
+import { LIBRARY } from '../../../src/model/library.js';
 import { fitCamera, fitParallel } from '../../../src/render/fit.js';
 import { gridSteps } from '../../../src/render/floor.js';
+import { homeDirection } from '../../../src/render/homeDirection.js';
 import { createView } from '../../../src/render/view.js';
 import { DIRECTIONS, axesOf, between } from '../../../src/render/viewpoint.js';
 import { SEED, runs } from '../../helpers/property.js';
 
-/** @import { ViewName } from '../../../src/render/viewpoint.js' */
+/**
+ * @import { Chain } from '../../../src/kinematics/chain.js'
+ * @import { ViewName } from '../../../src/render/viewpoint.js'
+ */
+
+describe('an arm is first seen', () => {
+  const angleBetween = (/** @type {Vector3} */ a, /** @type {Vector3} */ b) => (a.angleTo(b) * 180) / Math.PI;
+  const seenFrom = (/** @type {Chain} */ chain) => {
+    const frames = new Float64Array(16 * (chain.dof + 1));
+    linkFrames(chain, new Float64Array(chain.dof).fill(0.3), frames);
+    return axesOf(homeDirection(chain, frames)).back;
+  };
+  const usual = axesOf(DIRECTIONS.home).back;
+
+  test('as always, unless all its joints move it in one plane', () => {
+    for (const [id, robot] of Object.entries(LIBRARY)) {
+      const isFlat = ['planar2r', 'planar3r', 'planar_rp'].includes(id);
+      const turned = angleBetween(seenFrom(compileRobot(robot)), usual);
+      if (isFlat) expect(turned, id).toBeGreaterThan(20);
+      else expect(turned, id).toBeLessThan(1e-5);
+    }
+  });
+
+  test('with its plane open to the eye, however it stands in the world, and never from below the floor that it lies on', () => {
+    const joints = [0.5, 0.4, 0.2].map((a) => ({
+      type: /** @type {const} */ ('revolute'),
+      theta: 0,
+      d: 0,
+      a,
+      alpha: 0,
+    }));
+    fc.assert(
+      fc.property(
+        fc.double({ min: -3, max: 3, noNaN: true }),
+        fc.double({ min: -3, max: 3, noNaN: true }),
+        fc.constantFrom(.../** @type {const} */ (['standard', 'modified'])),
+        (turn, lean, convention) => {
+          const [c, s, C, S] = [Math.cos(turn), Math.sin(turn), Math.cos(lean), Math.sin(lean)];
+          // about z by turn, then about the new x by lean: the third column is the arm's normal
+          const base = Float64Array.of(c, s, 0, 0, -s * C, c * C, S, 0, s * S, -c * S, C, 0, 0, 0, 0, 1);
+          const back = seenFrom(createChain({ convention, base, joints }));
+          const normal = new Vector3(s * S, -c * S, C);
+          expect(Math.min(angleBetween(back, normal), angleBetween(back, normal.negate()))).toBeLessThan(38.01);
+        },
+      ),
+      { seed: SEED, numRuns: runs(100) },
+    );
+    expect(seenFrom(createChain({ convention: 'standard', joints })).z).toBeGreaterThan(0.7);
+  });
+});
 
 describe('the step of the grid', () => {
   test('is 1, 2 or 5 times a power of ten, and neither crowded nor empty, from a toy of 20 mm to a crane of 20 m', () => {

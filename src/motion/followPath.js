@@ -13,7 +13,7 @@
  *
  * @typedef {object} FollowedPath
  * @property {'done'} status
- * @property {PosturePath} path           by the share of the way, from 0 to 1
+ * @property {PosturePath} path           by the share of the way
  * @property {number} positionDeviation   m, at most
  * @property {number} turnDeviation       rad, at most; of no account where the task leaves the orientation free
  * @property {TaskName} task              what of the way's poses is met: the whole, or what an arm with fewer joints can
@@ -57,11 +57,15 @@ const LOOK_AHEAD = [1e-3, 1e-2, 0.05];
  * @param {Chain} chain
  * @param {ToolPath} way    seen from the chain's root
  * @param {ArrayLike<number>} begin   a posture that has the tool where the way begins
- * @param {{ positionDeviation?: number, turnDeviation?: number }} [promise]  m and rad; 0.01 mm and 0.01° if nothing is said
+ * @param {object} [options]
+ * @param {number} [options.positionDeviation]  m; 0.01 mm if nothing is said
+ * @param {number} [options.turnDeviation]      rad; 0.01° if nothing is said
+ * @param {number} [options.from]   only this part of the way: shares
+ * @param {number} [options.to]
  * @returns {FollowedPath | PathRefusal}
  */
-export function followPath(chain, way, begin, promise = {}) {
-  const { positionDeviation = 1e-5, turnDeviation = HUNDREDTH_DEGREE } = promise;
+export function followPath(chain, way, begin, options = {}) {
+  const { positionDeviation = 1e-5, turnDeviation = HUNDREDTH_DEGREE, from = 0, to = 1 } = options;
   requirePosture(chain.dof, begin);
   requirePositive('positionDeviation', positionDeviation);
   requirePositive('turnDeviation', turnDeviation);
@@ -70,10 +74,10 @@ export function followPath(chain, way, begin, promise = {}) {
   const bound = createPathBound(chain);
   let [here, there] = [createKnot(dof), createKnot(dof)];
   const start = Float64Array.from(begin);
-  if (!solver.solve(0, start, here) || farthest(chain, start, here.q) > NEAR) {
-    return { status: 'refused', reason: 'start', share: 0, posture: start };
+  if (!solver.solve(from, start, here) || farthest(chain, start, here.q) > NEAR) {
+    return { status: 'refused', reason: 'start', share: from, posture: start };
   }
-  const knots = [0];
+  const knots = [from];
   /** @type {number[]} */
   const coefficients = [];
   const own = new Float64Array(TERMS * dof);
@@ -82,10 +86,10 @@ export function followPath(chain, way, begin, promise = {}) {
   const worst = { position: 0, turn: 0 };
   const keepsTurn = solver.task === 'pose';
   /** blocked: a share that was not got to, though the pieces before it may be. */
-  let [share, piece, blocked] = [0, FIRST_PIECE, Infinity];
+  let [share, piece, blocked] = [from, FIRST_PIECE, Infinity];
 
-  while (share < 1) {
-    const next = share + piece > 1 - LEAST_PIECE ? 1 : share + piece;
+  while (share < to) {
+    const next = share + piece > to - LEAST_PIECE ? to : share + piece;
     const width = next - share;
     for (let i = 0; i < dof; i++) {
       near[i] = here.q[i] + width * (here.first[i] + (width / 2) * here.second[i]);

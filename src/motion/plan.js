@@ -2,26 +2,29 @@
  * From moves to a motion: where every joint is at every moment, as plain data that can be posted from a worker. What cannot
  * be moved is refused with its reason, and the plan holds everything up to there.
  *
- * The joints of a joint move go in proportion, so that the postures passed are the same at any speed. Along the way of a move
- * its unit is the second: what the move would take at its full speed. So the rate of the way is at most 1, whatever moves.
+ * The joints of a joint move go in proportion, so that the postures passed are the same at any speed. A move that ends in a
+ * zone goes on into the next one without stopping (blend.js); one that ends fine stops.
  *
  * @import { Chain } from '../kinematics/chain.js'
  * @import { Pose } from '../kinematics/pose.js'
  * @import { PathRefusal } from './followPath.js'
+ * @import { MoveWay } from './moveWay.js'
+ * @import { PlanLaw, Stretch } from './motionRun.js'
  * @import { PosturePath } from './posturePath.js'
- * @import { LawName } from './restLaw.js'
+ * @import { Slowed } from './timePath.js'
  * @import { TimeLaw } from './timeLaw.js'
- * @import { ToolPath } from './toolPath.js'
+ * @import { Zone } from './planZone.js'
  *
  * @typedef {{ kind: 'fine' } | { kind: 'share', share: number } | { kind: 'distance', distance: number }} Ending
- *   distance: m
+ *   share: 1 for the largest zone, which reaches to about the middle of the quicker of both moves. distance: m, within which
+ *   the tool is of the corner all through the zone's way
  *
  * @typedef {object} JointMove
  * @property {'joint'} kind
  * @property {Float64Array} posture
  * @property {number} speed          share of the joints' rates, above 0 and at most 1
  * @property {number} acceleration   share of their accelerations
- * @property {LawName} [law]
+ * @property {PlanLaw} [law]
  * @property {Ending} ending
  *
  * @typedef {object} ToolMoveBase
@@ -29,7 +32,7 @@
  * @property {number} speed        m/s
  * @property {number} turnSpeed    rad/s
  * @property {number} acceleration  m/s²; of a turn in the same proportion to its speed
- * @property {LawName} [law]
+ * @property {PlanLaw} [law]
  * @property {Ending} ending
  * @property {Chain} [chain]       with another tool
  *
@@ -50,6 +53,13 @@
  * @property {number} end      s
  * @property {PosturePath} path
  * @property {TimeLaw} law     how far along the path, from `begin`
+ * @property {PlanLaw} timing  by which law it is timed: the move's, unless it goes on into another, or comes out of one
+ * @property {Slowed[]} slowed   where it is slower than that, from share to share of the way, and because of which joint
+ * @property {NotBlended | null} notBlended   why it stops though it was to end in a zone
+ *
+ * @typedef {'last' | 'wait' | 'still' | 'short' | Extract<Zone, { refused: string }>['refused']} NotBlended
+ *   last: no move follows. wait: one does. still: one of both has no way to go. short: the zone would have no length. The
+ *   others: the postures of the zone, as of a path that is refused
  *
  * @typedef {object} MotionRefusal
  * @property {number} move
@@ -66,26 +76,26 @@
  */
 import { requirePositive, requirePosture } from '../kinematics/checks.js';
 import { tcpPose } from '../kinematics/forward.js';
+import { zoneOf } from './blend.js';
 import { followPath } from './followPath.js';
-import { pathMomentAt, straightPath } from './posturePath.js';
-import { restLaw } from './restLaw.js';
+import { timeRun } from './motionRun.js';
+import { jointWay, postureOn, toolWay } from './moveWay.js';
+import { measuredBy, pathMomentAt, straightPath } from './posturePath.js';
+import { zoneInSpace, zoneOfJoints } from './planZone.js';
 import { timeLaw } from './timeLaw.js';
-import { arcPath, hasArc, linePath } from './toolPath.js';
 
-/** Without a limit of jerk the S-curve takes half as long again to reach its speed as the trapezoid: a / j is half of v / a. */
-const ROUNDING = 2;
-
-/** s; a way that would take less counts as one that takes it: powers of its time would leave the range of numbers. */
-const SHORTEST = 1e-9;
+/** s; a zone that is shorter on either side is none. */
+const LEAST_ZONE = 1e-6;
 
 /**
  * @param {Chain} chain
  * @param {Float64Array} start
  * @param {readonly Move[]} moves
  * @param {JointLimits} limits
+ * @param {{ onMove?: (planned: number) => void }} [options]   onMove: told after each move how many are planned
  * @returns {MotionPlan}
  */
-export function planMotion(chain, start, moves, limits) {
+export function planMotion(chain, start, moves, limits, { onMove } = {}) {
   requirePosture(chain.dof, start);
   for (const [name, values] of Object.entries(limits)) {
     requirePosture(chain.dof, values);
@@ -93,79 +103,84 @@ export function planMotion(chain, start, moves, limits) {
   }
   /** @type {MotionPart[]} */
   const parts = [];
-  let [posture, begin] = [start, 0];
-  for (const [move, each] of moves.entries()) {
-    const planned = planMove(('chain' in each && each.chain) || chain, posture, each, limits);
-    if ('reason' in planned) return { duration: begin, start, parts, refused: { move, ...planned } };
-    const end = begin + planned.law.duration;
-    parts.push({ move, kind: each.kind, begin, end, path: planned.path, law: planned.law });
-    posture = planned.to;
+  /** Of the moves since the last stop. @type {Stretch[]} */
+  let run = [];
+  let [posture, begin, entered] = [start, 0, 0];
+  /** Of the next move, where a zone leads into it. @type {MoveWay | null} */
+  let pending = null;
+
+  /** @param {Omit<MotionPart, 'begin' | 'end' | 'kind'>} part */
+  const add = (part) => {
+    const end = begin + part.law.duration;
+    parts.push({ ...part, kind: moves[part.move].kind, begin, end });
     begin = end;
+  };
+
+  for (const [index, move] of moves.entries()) {
+    if (move.kind === 'wait') {
+      const law = timeLaw(0, 0, [{ duration: secondsOf(move), coefficients: [0] }]);
+      const path = straightPath([0, 1], [posture, posture]);
+      add({ move: index, path, law, timing: 'trapezoid', slowed: [], notBlended: null });
+      onMove?.(index + 1);
+      continue;
+    }
+    /** @type {MoveWay | Omit<MotionRefusal, 'move'>} */
+    const found = pending ?? wayOf(chain, posture, null, move, limits);
+    /** @type {Planned | Omit<MotionRefusal, 'move'>} */
+    const planned =
+      'reason' in found ? found : planStretch(found, posture, entered, move, moves[index + 1], chain, limits);
+    if ('reason' in planned) {
+      // the move before was to go on into this one, and now it stops
+      const upTo = pending ? planMotion(chain, start, moves.slice(0, index), limits) : null;
+      const held = upTo ? upTo.parts : parts;
+      return { duration: upTo ? upTo.duration : begin, start, parts: held, refused: { move: index, ...planned } };
+    }
+    const way = /** @type {MoveWay} */ (found);
+    run.push({ move: index, way, path: planned.path, ceiling: way.ceiling });
+    posture = planned.end;
+    pending = null;
+    entered = 0;
+    if (planned.zone) {
+      /** @type {NonNullable<Planned['zone']>} */
+      const { halves, ceiling, next, side } = planned.zone;
+      run.push({ move: index, way, path: halves[0], ceiling });
+      run.push({ move: index + 1, way: next, path: halves[1], ceiling });
+      posture = pathMomentAt(halves[1], Infinity).posture;
+      pending = next;
+      entered = side / next.length;
+    } else {
+      for (const part of timeRun(run, limits))
+        add({ ...part, notBlended: part.move === index ? planned.notBlended : null });
+      run = [];
+    }
+    onMove?.(index + 1);
   }
   return { duration: begin, start, parts, refused: null };
 }
 
-/**
- * @typedef {{ path: PosturePath, law: TimeLaw, to: Float64Array }} Planned
- * @param {Chain} chain @param {Float64Array} from @param {Move} move @param {JointLimits} limits
- * @returns {Planned | Omit<MotionRefusal, 'move'>}
- */
-function planMove(chain, from, move, limits) {
-  switch (move.kind) {
-    case 'joint':
-      return planJoint(chain, from, move, limits);
-    case 'linear':
-    case 'circular':
-      return planToolMove(chain, from, move);
-    case 'wait':
-      if (!(move.seconds >= 0 && move.seconds < Infinity)) {
-        throw new RangeError(`seconds: expected a number of 0 or more, got ${move.seconds}.`);
-      }
-      return {
-        path: straightPath([0, 1], [from, from]),
-        law: timeLaw(0, 0, [{ duration: move.seconds, coefficients: [0] }]),
-        to: from,
-      };
-    default: {
-      /** @type {never} */
-      const unknown = move;
-      throw new TypeError(`Unknown move: ${JSON.stringify(unknown)}`);
-    }
-  }
+/** @param {Wait} wait */
+function secondsOf({ seconds }) {
+  if (seconds >= 0 && seconds < Infinity) return seconds;
+  throw new RangeError(`seconds: expected a number of 0 or more, got ${seconds}.`);
 }
 
 /**
- * @param {Chain} chain @param {Float64Array} from @param {JointMove} move @param {JointLimits} limits
- * @returns {Planned | Omit<MotionRefusal, 'move'>}
+ * @param {Chain} chain   without a tool of the move's own
+ * @param {Float64Array} from
+ * @param {Pose | null} T_base_from   where the tool is said to begin; null: where it is
+ * @param {Exclude<Move, Wait>} move
+ * @param {JointLimits} limits
+ * @returns {MoveWay | Omit<MotionRefusal, 'move'>}
  */
-function planJoint(chain, from, move, { rates, accelerations, jerks }) {
-  const { posture: to, speed, acceleration: share, law: name = 'doubleS' } = move;
-  requirePosture(chain.dof, to);
-  requireShare('speed', speed);
-  requireShare('acceleration', share);
-  const past = firstPast(chain, from, to);
-  if (past) return past;
-  const ways = to.map((value, i) => Math.abs(value - from[i]));
-  const least = (/** @type {(i: number) => number} */ of) =>
-    ways.reduce((found, way, i) => (way > 0 ? Math.min(found, of(i)) : found), Infinity);
-  const quickest = ways.reduce((most, way, i) => Math.max(most, way / (rates[i] * speed)), 0);
-  const length = quickest === 0 ? 0 : Math.max(quickest, SHORTEST);
-  const acceleration = Math.min(
-    1 / SHORTEST,
-    least((i) => (accelerations[i] * share) / (ways[i] / length)),
-  );
-  const jerk = jerks
-    ? Math.min(
-        1 / SHORTEST ** 2,
-        least((i) => (jerks[i] * share) / (ways[i] / length)),
-      )
-    : roundedJerk(name, acceleration);
-  const law = restLaw(name, length, { rate: 1, acceleration, jerk });
-  return { path: straightPath([0, length], [from, to]), law, to };
+function wayOf(chain, from, T_base_from, move, limits) {
+  if (move.kind === 'joint') return firstPast(chain, from, move.posture) ?? jointWay(chain, from, move, limits);
+  const own = move.chain ?? chain;
+  return toolWay(own, T_base_from ?? tcpPose(own, from), move) ?? { reason: 'arc', share: 0, posture: from };
 }
 
 /** Where a joint move passes a limit first. @param {Chain} chain @param {Float64Array} from @param {Float64Array} to @returns {Omit<MotionRefusal, 'move'> | null} */
-function firstPast({ joints }, from, to) {
+function firstPast({ dof, joints }, from, to) {
+  requirePosture(dof, to);
   let [joint, share] = [-1, Infinity];
   for (const [i, { lower, upper }] of joints.entries()) {
     if (to[i] >= lower && to[i] <= upper) continue;
@@ -178,44 +193,77 @@ function firstPast({ joints }, from, to) {
 }
 
 /**
- * @param {Chain} chain @param {Float64Array} from @param {LinearMove | CircularMove} move
+ * @typedef {object} Planned   a move up to its end, or to the zone that leads on
+ * @property {PosturePath} path
+ * @property {Float64Array} end
+ * @property {(Extract<Zone, { halves: unknown }> & { next: MoveWay, side: number }) | null} zone
+ * @property {NotBlended | null} notBlended
+ */
+
+/**
+ * @param {MoveWay} way
+ * @param {Float64Array} posture   where it is now
+ * @param {number} entered    share of the way that is gone by then
+ * @param {Exclude<Move, Wait>} move
+ * @param {Move | undefined} nextMove
+ * @param {Chain} chain
+ * @param {JointLimits} limits
  * @returns {Planned | Omit<MotionRefusal, 'move'>}
  */
-function planToolMove(chain, from, move) {
-  const { speed, turnSpeed, acceleration: most, law: name = 'doubleS' } = move;
-  requirePositive('speed', speed);
-  requirePositive('turnSpeed', turnSpeed);
-  requirePositive('acceleration', most);
-  const way = wayOf(tcpPose(chain, from), move);
-  if (way === null) return { reason: 'arc', share: 0, posture: from };
-  const found = followPath(chain, way, from);
-  if (found.status === 'refused') {
-    const { reason, share, posture, joint } = found;
-    return { reason, share, posture, ...(joint !== undefined && { joint }) };
+function planStretch(way, posture, entered, move, nextMove, chain, limits) {
+  /** @param {NotBlended | null} notBlended @returns {Planned | Omit<MotionRefusal, 'move'>} */
+  const stopping = (notBlended) => {
+    const whole = solve(way, posture, entered, 1);
+    return 'reason' in whole ? whole : { ...whole, zone: null, notBlended };
+  };
+  if (move.ending.kind === 'fine') return stopping(null);
+  if (!nextMove) return stopping('last');
+  if (nextMove.kind === 'wait') return stopping('wait');
+  if (way.length === 0) return stopping('still');
+
+  const nextChain = (nextMove.kind !== 'joint' && nextMove.chain) || chain;
+  const inSpace = way.tool !== null && nextMove.kind !== 'joint' && nextChain === way.chain;
+  /** The posture at the corner, where it is needed: between two ways in space it is not, and need not be there. */
+  let corner = way.joints?.to ?? posture;
+  if (way.tool && !inSpace) {
+    const whole = solve(way, posture, entered, 1);
+    if ('reason' in whole) return whole;
+    corner = whole.end;
   }
-  const quickest = Math.max(way.length / speed, way.turn / turnSpeed);
-  const length = quickest === 0 ? 0 : Math.max(quickest, SHORTEST);
-  const acceleration = most / speed;
-  const jerk = roundedJerk(name, acceleration);
-  const path = { ...found.path, knots: found.path.knots.map((share) => share * length) };
-  return { path, law: restLaw(name, length, { rate: 1, acceleration, jerk }), to: pathMomentAt(path, length).posture };
+  const next = wayOf(chain, corner, inSpace && way.tool ? way.tool.poseAt(1) : null, nextMove, limits);
+  if ('reason' in next || next.length === 0) return stopping('reason' in next ? 'last' : 'still');
+  const side = zoneOf(way, next, move.ending);
+  if (!(side > LEAST_ZONE)) return stopping('short');
+  const main = solve(way, posture, entered, 1 - side / way.length);
+  if ('reason' in main) return main;
+  /** @type {Zone} */
+  let zone;
+  if (inSpace) {
+    zone = zoneInSpace(way, next, side, main.end);
+  } else {
+    const into = solve(next, corner, 0, side / next.length);
+    if ('reason' in into) return stopping('last'); // the next move will be refused with its reason
+    zone = zoneOfJoints(way, pathMomentAt(main.path, Infinity), pathMomentAt(into.path, Infinity), side);
+  }
+  return 'refused' in zone ? stopping(zone.refused) : { ...main, zone: { ...zone, next, side }, notBlended: null };
 }
 
 /**
- * @param {Pose} T_base_from @param {LinearMove | CircularMove} move
- * @returns {ToolPath | null}  null where no circle passes the three points
+ * The joints from one share of a move's way to another, by its seconds.
+ * @param {MoveWay} way @param {Float64Array} posture @param {number} from @param {number} to
+ * @returns {{ path: PosturePath, end: Float64Array } | Omit<MotionRefusal, 'move'>}
  */
-function wayOf(T_base_from, move) {
-  if (move.kind === 'linear') return linePath(T_base_from, move.T_base_tcp);
-  const via = move.via.subarray(12, 15);
-  return hasArc(T_base_from, via, move.T_base_tcp) ? arcPath(T_base_from, via, move.T_base_tcp) : null;
-}
-
-/** Where no limit of jerk is stated. @param {LawName} name @param {number} acceleration  of a rate of 1 */
-const roundedJerk = (name, acceleration) => (name === 'doubleS' ? ROUNDING * acceleration ** 2 : Infinity);
-
-/** @param {string} name @param {number} share */
-function requireShare(name, share) {
-  if (!(share > 0 && share <= 1))
-    throw new RangeError(`${name}: expected a share above 0 and at most 1, got ${share}.`);
+function solve(way, posture, from, to) {
+  const { chain, length, tool } = way;
+  if (!tool) {
+    const end = postureOn(way, to);
+    return { path: straightPath([from * length, to * length], [posture, end]), end };
+  }
+  const found = followPath(chain, tool, posture, { from, to });
+  if (found.status === 'refused') {
+    const { reason, share, posture: there, joint } = found;
+    return { reason, share, posture: there, ...(joint !== undefined && { joint }) };
+  }
+  const path = measuredBy(found.path, from * length, length);
+  return { path, end: pathMomentAt(path, Infinity).posture };
 }

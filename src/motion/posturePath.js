@@ -81,3 +81,33 @@ export function straightPath(knots, postures) {
   }
   return { dof, knots: Float64Array.from(knots), coefficients };
 }
+
+/**
+ * The same path by another measure: shifted and stretched.
+ * @param {PosturePath} path
+ * @param {number} begin    where it begins then
+ * @param {number} factor
+ * @returns {PosturePath}
+ */
+export const measuredBy = (path, begin, factor) => ({
+  ...path,
+  knots: path.knots.map((knot) => begin + (knot - path.knots[0]) * factor),
+});
+
+/**
+ * Paths one after another; each begins where the one before ends.
+ * @param {readonly PosturePath[]} paths  1 or more
+ * @returns {PosturePath}
+ */
+export function joined(paths) {
+  if (paths.length === 1) return paths[0];
+  const knots = [paths[0].knots[0]];
+  for (const path of paths) for (const knot of path.knots.subarray(1)) knots.push(knot);
+  const coefficients = new Float64Array(paths.reduce((sum, path) => sum + path.coefficients.length, 0));
+  let at = 0;
+  for (const path of paths) {
+    coefficients.set(path.coefficients, at);
+    at += path.coefficients.length;
+  }
+  return { dof: paths[0].dof, knots: Float64Array.from(knots), coefficients };
+}

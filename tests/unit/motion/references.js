@@ -30,3 +30,6 @@ export function toolboxCase(name) {
 
 /** @type {ArcCase[]} */
 export const ARCS = ['arc quarter xy', 'arc half', 'arc long way 270', 'arc oblique'].map((name) => toolboxCase(name));
+
+/** @type {{ name: string, waypoints: number[][], s: number[], vmax: number[], amax: number[], duration: number }[]} */
+export const TOPPRA = read('toppra');

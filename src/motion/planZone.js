@@ -1,0 +1,83 @@
+/**
+ * The postures of a zone between two moves, on either side of its middle, or why it cannot be gone through.
+ *
+ * @import { MoveWay } from './moveWay.js'
+ * @import { PathRefusal } from './followPath.js'
+ * @import { PathMoment, PosturePath } from './posturePath.js'
+ *
+ * @typedef {{ halves: [PosturePath, PosturePath], ceiling: number } | { refused: PathRefusal['reason'] }} Zone
+ */
+import { blendPath } from './blend.js';
+import { followPath } from './followPath.js';
+import { createSpan, writeHermite, writeSpan } from './hermite.js';
+import { TERMS, measuredBy, pathMomentAt } from './posturePath.js';
+
+/** What the second derivative of 3λ² − 2λ³ … that is, how fast one rate goes over into the other, at most. */
+const STEEPEST = 3 / 2;
+
+/**
+ * In space, of one tool.
+ * @param {MoveWay} before
+ * @param {MoveWay} after
+ * @param {number} side    s, how long the zone is on either side
+ * @param {Float64Array} begin   the posture at its beginning
+ * @returns {Zone}
+ */
+export function zoneInSpace(before, after, side, begin) {
+  if (!before.tool || !after.tool) throw new TypeError('Expected two ways of the tool.');
+  const way = blendPath(before.tool, after.tool, side / before.length, side / after.length);
+  const first = followPath(before.chain, way, begin, { to: 1 / 2 });
+  if (first.status === 'refused') return { refused: first.reason };
+  const middle = pathMomentAt(first.path, 1 / 2).posture;
+  const second = followPath(before.chain, way, middle, { from: 1 / 2 });
+  if (second.status === 'refused') return { refused: second.reason };
+  // the acceleration across the way: of the corner, and of the bends of both
+  const [u, w] = [velocityAt(before, 1), velocityAt(after, 0)];
+  const corner = (STEEPEST * Math.hypot(...u.map((value, k) => w[k] - value))) / (2 * side);
+  const bends = [before, after].map(({ tool, length }) => (tool ? tool.bend * (tool.length / length) ** 2 : 0));
+  const most = Math.min(...[before, after].map((each) => (each.acceleration * (each.tool?.length ?? 0)) / each.length));
+  const across = corner + Math.max(...bends);
+  const slow = across > 0 && most > 0 ? Math.sqrt(most / across) : 1;
+  return {
+    halves: [measuredBy(first.path, 0, 2 * side), measuredBy(second.path, 0, 2 * side)],
+    ceiling: Math.min(1, slow),
+  };
+}
+
+/** m/s at a rate of 1. @param {MoveWay} way @param {number} share */
+function velocityAt({ tool, length }, share) {
+  const [first, second] = [new Float64Array(6), new Float64Array(6)];
+  tool?.motionAt(share, first, second);
+  return Array.from(first.subarray(0, 3), (value) => value / length);
+}
+
+/**
+ * By the joints.
+ * @param {MoveWay} before
+ * @param {PathMoment} begin   where the zone is entered, by seconds
+ * @param {PathMoment} end
+ * @param {number} side
+ * @returns {Zone}
+ */
+export function zoneOfJoints({ chain: { dof, packed } }, begin, end, side) {
+  const [a, b] = [knotOf(begin), knotOf(end)];
+  const coefficients = new Float64Array(TERMS * dof);
+  writeHermite(a, b, 2 * side, coefficients);
+  const span = createSpan();
+  for (let i = 0; i < dof; i++) {
+    writeSpan(coefficients, TERMS * i, span);
+    if (span.low < packed.lower[i] || span.high > packed.upper[i]) return { refused: 'limit' };
+  }
+  const whole = { dof, knots: Float64Array.of(0, 2 * side), coefficients };
+  const middle = knotOf(pathMomentAt(whole, side));
+  /** @param {typeof a} from @param {typeof a} to */
+  const half = (from, to) => {
+    const own = new Float64Array(TERMS * dof);
+    writeHermite(from, to, side, own);
+    return { dof, knots: Float64Array.of(0, side), coefficients: own };
+  };
+  return { halves: [half(a, middle), half(middle, b)], ceiling: 1 };
+}
+
+/** @param {PathMoment} moment */
+const knotOf = ({ posture, first, second }) => ({ q: posture, first, second });

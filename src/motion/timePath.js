@@ -1,0 +1,260 @@
+/**
+ * When the arm is where along a path: a law where the joints can follow it, and where they cannot as fast as they can. That
+ * is looked for over a grid (phasePlane.js), looked at between its points, and the grid made finer where a limit is passed.
+ *
+ * @import { Plane } from './phasePlane.js'
+ * @import { PosturePath } from './posturePath.js'
+ * @import { TimeLaw } from './timeLaw.js'
+ *
+ * @typedef {object} Section    of a path, up to a place along it
+ * @property {number} to
+ * @property {number} acceleration   what that of the way is at most; Infinity leaves it to the joints
+ * @property {number} share     of the joints' accelerations
+ * @property {number} ceiling   what the rate of the way is at most
+ *
+ * @typedef {object} Slowed   a stretch where the way is gone along more slowly than its law says
+ * @property {number} from    along the way
+ * @property {number} to
+ * @property {number | null} joint   the one that is at its limit there; null where it is the tool's own acceleration, on a bend
+ *
+ * @typedef {{ rates: ArrayLike<number>, accelerations: ArrayLike<number> }} Limits
+ */
+import { createSpan, writeSpan } from './hermite.js';
+import { quickestProfile } from './phasePlane.js';
+import { TERMS, pathMoment, pathMomentAt } from './posturePath.js';
+import { momentAt, stretched, timeLaw } from './timeLaw.js';
+
+/**
+ * Between the points of the grid a rate may pass its limit by this share of it, and an acceleration by twice that; else the
+ * grid is made finer, so many times at most.
+ */
+const OVER = 2e-4;
+const FINER = 5;
+
+/** Intervals of the grid: about so many over the whole time, and in each piece of the path. */
+const IN_TIME = 160;
+const MOST_IN_TIME = 2000;
+const IN_PIECE = 8;
+
+/** A rate that is less than the law's by this share of it is slower. */
+const SLOWER = 1e-3;
+
+/** Samples in each stretch of a law between two of its pieces' or the path's ends. */
+const SAMPLES = 8;
+
+const HALVINGS = 50;
+
+/**
+ * The law, or what the joints allow of it.
+ * @param {PosturePath} path
+ * @param {TimeLaw} law     from 0 to the path's end
+ * @param {Limits} limits
+ * @param {number} acceleration   what the law's is at most
+ * @returns {{ law: TimeLaw, slowed: Slowed[] }}
+ */
+export function keepLaw(path, law, limits, acceleration) {
+  if (law.duration === 0 || isGentle(path, limits, acceleration) || mostUse(path, law, limits) <= 1 + OVER) {
+    return { law, slowed: [] };
+  }
+  const end = path.knots[path.knots.length - 1];
+  const ceiling = (/** @type {number} */ s) => momentAt(law, timeAt(law, s)).rate;
+  const inTime = Array.from({ length: IN_TIME + 1 }, (_, k) => momentAt(law, (law.duration * k) / IN_TIME).position);
+  return alongGrid(path, limits, [{ to: end, acceleration, share: 1, ceiling: Infinity }], ceiling, inTime);
+}
+
+/**
+ * As quick as limits allow.
+ * @param {PosturePath} path
+ * @param {Limits} limits
+ * @param {readonly Section[]} sections   the last one to the path's end
+ * @returns {{ law: TimeLaw, slowed: Slowed[] }}   slowed: beside what the sections alone would allow
+ */
+export function quickestLaw(path, limits, sections) {
+  const { knots } = path;
+  const [begin, end] = [knots[0], knots[knots.length - 1]];
+  const count = Math.min(MOST_IN_TIME, IN_TIME * sections.length);
+  // evenly, and denser at both ends, where it starts and stops
+  const shares = Array.from({ length: count + 1 }, (_, k) => [k / count, (1 - Math.cos((Math.PI * k) / count)) / 2]);
+  const points = shares.flat().map((share) => begin + share * (end - begin));
+  return alongGrid(path, limits, sections, null, points);
+}
+
+/**
+ * @param {PosturePath} path
+ * @param {Limits} limits
+ * @param {readonly Section[]} sections
+ * @param {((s: number) => number) | null} lawRate   what the rate of the way is at most besides, and with what `slowed` compares
+ * @param {readonly number[]} points
+ * @returns {{ law: TimeLaw, slowed: Slowed[] }}
+ */
+function alongGrid(path, limits, sections, lawRate, points) {
+  const { dof, knots } = path;
+  const inPieces = [...knots].flatMap((knot, k) =>
+    k + 1 < knots.length
+      ? Array.from({ length: IN_PIECE }, (_, j) => knot + ((knots[k + 1] - knot) * j) / IN_PIECE)
+      : [knot],
+  );
+  let grid = ascending([...points, ...inPieces, ...sections.map(({ to }) => to)], knots);
+  const now = pathMoment(dof);
+  for (let finer = 0; ; finer++) {
+    const count = grid.length;
+    const plane = {
+      grid,
+      dof,
+      first: new Float64Array(dof * count),
+      second: new Float64Array(dof * count),
+      ...limits,
+      shares: new Float64Array(count - 1),
+      own: new Float64Array(count - 1),
+      ceiling: new Float64Array(count),
+    };
+    for (let i = 0, section = 0; i < count; i++) {
+      pathMomentAt(path, grid[i], now);
+      plane.first.set(now.first, dof * i);
+      plane.second.set(now.second, dof * i);
+      const before = sections[section];
+      while (section < sections.length - 1 && grid[i] >= sections[section].to) section++;
+      const { acceleration, share, ceiling } = sections[section];
+      if (i < count - 1) {
+        plane.shares[i] = share;
+        plane.own[i] = acceleration;
+      }
+      plane.ceiling[i] = Math.min(ceiling, before.ceiling, lawRate ? lawRate(grid[i]) : Infinity) ** 2;
+    }
+    const x = quickestProfile(plane);
+    const uses = usesBetween(path, plane, x);
+    if (finer < FINER && uses.some(({ use }) => use > 1 + OVER)) {
+      const split = uses.flatMap(({ use }, i) =>
+        use > 1 + OVER ? [0.25, 0.5, 0.75].map((at) => grid[i] + at * (grid[i + 1] - grid[i])) : [],
+      );
+      grid = ascending([...grid, ...split], knots);
+      continue;
+    }
+    const over = uses.reduce((most, { use }) => Math.max(most, use), 1);
+    const law = lawOf(grid, x);
+    return {
+      law: over > 1 + OVER ? stretched(law, over) : law,
+      slowed: slowedOf(plane, lawRate ? plane.ceiling : withoutJoints(plane), x, uses),
+    };
+  }
+}
+
+/** Sorted, from the path's beginning to its end, without what is next to the same. @param {readonly number[]} values @param {Float64Array} knots */
+function ascending(values, knots) {
+  const [begin, end] = [knots[0], knots[knots.length - 1]];
+  const least = 1e-9 * (end - begin);
+  const sorted = values.filter((s) => s > begin + least && s < end - least).sort((a, b) => a - b);
+  return Float64Array.from([begin, ...sorted.filter((s, i) => i === 0 || s - sorted[i - 1] > least), end]);
+}
+
+/**
+ * How much of the limits is used within each interval, and by which joint: of a rate as it is, of an acceleration its root, for
+ * so much more time would do.
+ * @param {PosturePath} path @param {Plane} plane @param {Float64Array} x
+ */
+function usesBetween(path, { grid, dof, rates, accelerations, shares }, x) {
+  const now = pathMoment(dof);
+  return Array.from(shares, (share, i) => {
+    const width = grid[i + 1] - grid[i];
+    const u = (x[i + 1] - x[i]) / (2 * width);
+    let [use, joint] = [0, -1];
+    for (const at of [0.01, 0.25, 0.5, 0.75, 0.99]) {
+      pathMomentAt(path, grid[i] + at * width, now);
+      const square = x[i] + 2 * u * at * width;
+      for (let j = 0; j < dof; j++) {
+        const rate = (Math.abs(now.first[j]) * Math.sqrt(Math.max(0, square))) / rates[j];
+        const acceleration = Math.abs(now.first[j] * u + now.second[j] * square) / (share * accelerations[j]);
+        const own = Math.max(rate, Math.sqrt(acceleration));
+        if (own > use) [use, joint] = [own, j];
+      }
+    }
+    return { use, joint };
+  });
+}
+
+/** @param {Float64Array} grid @param {Float64Array} x  at each point @returns {TimeLaw} */
+function lawOf(grid, x) {
+  const last = grid.length - 1;
+  const parts = [];
+  for (let i = 0; i < last; i++) {
+    const width = grid[i + 1] - grid[i];
+    const [before, after] = [Math.sqrt(x[i]), Math.sqrt(x[i + 1])];
+    const u = (x[i + 1] - x[i]) / (2 * width);
+    parts.push({ duration: (2 * width) / (before + after), coefficients: [grid[i], before, u / 2] });
+  }
+  return timeLaw(grid[0], grid[last], parts);
+}
+
+/** Stretches of the way where it is slower than the law. @param {Plane} plane @param {Float64Array} wanted  squares, as x @param {Float64Array} x @param {ReturnType<typeof usesBetween>} uses @returns {Slowed[]} */
+function slowedOf({ grid }, wanted, x, uses) {
+  /** @type {(Slowed & { use: number })[]} */
+  const found = [];
+  let isOpen = false;
+  for (let i = 0; i < uses.length; i++) {
+    const isSlower = [i, i + 1].some((k) => Math.sqrt(x[k]) < (1 - SLOWER) * Math.sqrt(wanted[k]));
+    if (isSlower) {
+      const { use, joint } = uses[i];
+      if (!isOpen) found.push({ from: grid[i], to: grid[i + 1], joint, use });
+      const stretch = found[found.length - 1];
+      stretch.to = grid[i + 1];
+      if (use > stretch.use) [stretch.use, stretch.joint] = [use, joint];
+    }
+    isOpen = isSlower;
+  }
+  return found.map(({ from, to, joint }) => ({ from, to, joint }));
+}
+
+/** How quick it would be if no joint had limits. @param {Plane} plane */
+const withoutJoints = (plane) =>
+  quickestProfile({ ...plane, dof: 0, first: new Float64Array(0), second: new Float64Array(0) });
+
+const span = createSpan();
+
+/** Whether bounds tell at once that no limit is near. @param {PosturePath} path @param {Limits} limits @param {number} acceleration */
+function isGentle({ dof, knots, coefficients }, { rates, accelerations }, acceleration) {
+  for (let k = 0, at = 0; k < knots.length - 1; k++) {
+    const width = knots[k + 1] - knots[k];
+    for (let i = 0; i < dof; i++, at += TERMS) {
+      writeSpan(coefficients, at, span);
+      const [first, second] = [span.derivatives[1] / width, span.derivatives[2] / width ** 2];
+      if (first > rates[i] || second + first * acceleration > accelerations[i]) return false;
+    }
+  }
+  return true;
+}
+
+/** What of the limits the law uses at most. @param {PosturePath} path @param {TimeLaw} law @param {Limits} limits */
+function mostUse(path, law, { rates, accelerations }) {
+  const now = pathMoment(path.dof);
+  const ends = [
+    ...law.pieces.map(({ start }) => start),
+    law.duration,
+    ...Array.from(path.knots, (s) => timeAt(law, s)),
+  ];
+  ends.sort((a, b) => a - b);
+  let most = 0;
+  for (let k = 0; k < ends.length - 1; k++) {
+    for (let j = 0; j <= SAMPLES; j++) {
+      // a hair inside, since accelerations may jump at the ends
+      const at = Math.min(1 - 1e-6, Math.max(1e-6, j / SAMPLES));
+      const { position, rate, acceleration } = momentAt(law, ends[k] + at * (ends[k + 1] - ends[k]));
+      pathMomentAt(path, position, now);
+      for (let i = 0; i < path.dof; i++) {
+        const use = Math.abs(now.second[i] * rate * rate + now.first[i] * acceleration) / accelerations[i];
+        most = Math.max(most, use, (Math.abs(now.first[i]) * rate) / rates[i]);
+      }
+    }
+  }
+  return most;
+}
+
+/** When a law is at a place, by halving: it never goes back. @param {TimeLaw} law @param {number} s */
+function timeAt(law, s) {
+  let [low, high] = [0, law.duration];
+  for (let k = 0; k < HALVINGS && low < high; k++) {
+    const middle = (low + high) / 2;
+    if (momentAt(law, middle).position < s) low = middle;
+    else high = middle;
+  }
+  return (low + high) / 2;
+}

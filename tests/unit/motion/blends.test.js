@@ -1,0 +1,283 @@
+/** Moves that go on into each other, and any moves at all: what every plan keeps. */
+import fc from 'fast-check';
+import { describe, expect, test } from 'vitest';
+import { createChain } from '../../../src/kinematics/chain.js';
+import { planMotion } from '../../../src/motion/plan.js';
+import { planMoment, planMomentAt } from '../../../src/motion/planMoment.js';
+import { SEED, runs } from '../../helpers/property.js';
+import {
+  angleBetween,
+  arm,
+  columnMajor,
+  distanceBetween,
+  oracleForward,
+  rodrigues,
+  rowsOf,
+  times,
+} from '../kinematics/oracle.js';
+
+/** @import { Ending, Move, MotionPlan } from '../../../src/motion/plan.js' */
+
+const ARM = { puma560: [0.3, 0.6, -2.6, 0.4, 0.9, 0.2], ur5: [0.3, -1.2, 1.6, -0.7, 0.9, 0.4] };
+const names = /** @type {(keyof typeof ARM)[]} */ (Object.keys(ARM));
+const LIMITS = { rates: Float64Array.of(2, 2, 2.5, 4, 4, 6), accelerations: Float64Array.of(8, 8, 10, 20, 20, 30) };
+const FINE = /** @type {const} */ ({ kind: 'fine' });
+
+/** @param {keyof typeof ARM} name @param {ArrayLike<number>} q */
+const toolAt = (name, q) => oracleForward(arm(name), q).tcp;
+
+/** A pose beside another. @param {number[][]} T @param {readonly number[]} by @param {readonly number[]} turn @returns {Float64Array} */
+function beside(T, by, turn) {
+  const angle = Math.hypot(...turn);
+  const R =
+    angle === 0
+      ? T
+      : times(
+          rodrigues([...turn], angle),
+          T.slice(0, 3).map((row) => row.slice(0, 3)),
+        );
+  return columnMajor([...[0, 1, 2].map((i) => [...R[i].slice(0, 3), T[i][3] + by[i]]), [0, 0, 0, 1]]);
+}
+
+/** What a plan passes of the limits at most, and how far what it says it is doing is from what it does. @param {MotionPlan} plan @param {number} count */
+function audit(plan, count) {
+  const [now, before] = [planMoment(6), planMoment(6)];
+  const found = { use: 0, gap: 0, jump: 0 };
+  const step = plan.duration / count;
+  planMomentAt(plan, 0, before);
+  for (let k = 1; k <= count; k++) {
+    planMomentAt(plan, k * step, now);
+    for (let i = 0; i < 6; i++) {
+      const use = Math.max(
+        Math.abs(now.rates[i]) / LIMITS.rates[i],
+        Math.abs(now.accelerations[i]) / LIMITS.accelerations[i],
+      );
+      found.use = Math.max(found.use, use);
+      // by the mean rate it would be here, were its acceleration constant
+      const way = now.posture[i] - before.posture[i] - (step * (now.rates[i] + before.rates[i])) / 2;
+      found.gap = Math.max(found.gap, Math.max(0, Math.abs(way) - 1e-9) / (step * step * LIMITS.accelerations[i]));
+      found.jump = Math.max(found.jump, Math.abs(now.rates[i] - before.rates[i]) / (step * LIMITS.accelerations[i]));
+      before.posture[i] = now.posture[i];
+      before.rates[i] = now.rates[i];
+    }
+  }
+  return found;
+}
+
+describe('zones', () => {
+  const start = Float64Array.from(ARM.puma560);
+  const chain = createChain(arm('puma560'));
+  const T = toolAt('puma560', start);
+  const lines = (/** @type {Ending} */ ending) =>
+    [
+      [0, 0.12, 0],
+      [0, 0.12, -0.15],
+      [0.1, 0, -0.1],
+    ].map(
+      (by) =>
+        /** @type {Move} */ ({
+          kind: 'linear',
+          T_base_tcp: beside(T, by, [0.1 * by[0], by[1], 0]),
+          speed: 0.3,
+          turnSpeed: 1.5,
+          acceleration: 2,
+          ending,
+        }),
+    );
+  const corners = lines(FINE).map((each) => rowsOf(/** @type {{ T_base_tcp: Float64Array }} */ (each).T_base_tcp));
+
+  test('a zone by distance keeps within it, and to the lines outside it', () => {
+    const plan = planMotion(chain, start, lines({ kind: 'distance', distance: 0.02 }), LIMITS);
+    expect(plan.refused).toBeNull();
+    expect(plan.parts.map(({ notBlended }) => notBlended)).toEqual([null, null, 'last']);
+    const way = [T, ...corners];
+    let nearest = [Infinity, Infinity];
+    for (let k = 0; k <= 600; k++) {
+      const is = toolAt('puma560', planMomentAt(plan, (plan.duration * k) / 600).posture);
+      const off = [0, 1, 2].map((leg) => {
+        const [p, a, b] = [is, way[leg], way[leg + 1]].map((pose) => [0, 1, 2].map((i) => pose[i][3]));
+        const d = b.map((x, i) => x - a[i]);
+        const along = d.reduce((sum, x, i) => sum + x * (p[i] - a[i]), 0) / d.reduce((sum, x) => sum + x * x, 0);
+        const share = Math.min(1, Math.max(0, along));
+        return Math.hypot(...p.map((x, i) => x - a[i] - share * d[i]));
+      });
+      const toCorner = [corners[0], corners[1]].map((corner) => distanceBetween(is, corner));
+      if (Math.min(...toCorner) > 0.0201) expect(Math.min(...off)).toBeLessThan(1e-5);
+      nearest = nearest.map((value, i) => Math.min(value, toCorner[i]));
+    }
+    for (const value of nearest) {
+      expect(value).toBeGreaterThan(0.001);
+      expect(value).toBeLessThan(0.02);
+    }
+    expect(distanceBetween(toolAt('puma560', planMomentAt(plan, plan.duration).posture), corners[2])).toBeLessThan(
+      1e-9,
+    );
+  });
+  test('a larger zone takes less time, and none stops', () => {
+    const durations = [0, 0.3, 0.6, 1].map(
+      (share) => planMotion(chain, start, lines({ kind: 'share', share }), LIMITS).duration,
+    );
+    expect(durations[0]).toBe(planMotion(chain, start, lines(FINE), LIMITS).duration);
+    for (let k = 1; k < 4; k++) expect(durations[k]).toBeLessThan(durations[k - 1]);
+    const plan = planMotion(chain, start, lines({ kind: 'share', share: 0.5 }), LIMITS);
+    for (const { end } of plan.parts.slice(0, 2)) {
+      expect(Math.hypot(...planMomentAt(plan, end).rates)).toBeGreaterThan(0.05);
+    }
+  });
+  test('what is not blended says why', () => {
+    const share = /** @type {Ending} */ ({ kind: 'share', share: 0.5 });
+    const [first, second] = lines(share);
+    const why = (/** @type {Move[]} */ ...moves) =>
+      planMotion(chain, start, moves, LIMITS).parts.map(({ notBlended }) => notBlended);
+    expect(why(first, { kind: 'wait', seconds: 1 }, second)).toEqual(['wait', null, 'last']);
+    expect(why(first, first, second)).toEqual(['still', 'still', 'last']);
+    expect(why(lines({ kind: 'distance', distance: 0 })[0], second)).toEqual(['short', 'last']);
+  });
+  test('a move that leads into one that is refused stops at its end', () => {
+    const [first] = lines({ kind: 'distance', distance: 0.02 });
+    const far = /** @type {Move} */ ({ ...first, T_base_tcp: beside(T, [3, 0.12, 0], [0, 0, 0]) });
+    const plan = planMotion(chain, start, [first, far], LIMITS);
+    expect(plan.refused).toMatchObject({ move: 1 });
+    expect(plan.parts).toHaveLength(1);
+    expect(distanceBetween(toolAt('puma560', planMomentAt(plan, Infinity).posture), corners[0])).toBeLessThan(1e-9);
+  });
+  test('a circle that asks for more acceleration across than it may have is gone along more slowly, and it says so', () => {
+    const move = /** @type {Move} */ ({
+      ...lines(FINE)[0],
+      kind: 'circular',
+      via: beside(T, [0, 0.03, 0.03], [0, 0, 0]),
+      T_base_tcp: beside(T, [0, 0.06, 0], [0, 0, 0]),
+      law: 'trapezoid',
+    });
+    const plan = planMotion(chain, start, [move], LIMITS);
+    expect(plan.parts[0].slowed).toEqual([{ from: 0, to: 1, joint: null }]);
+    const speed = Math.sqrt(2 * 0.03);
+    expect(plan.duration).toBeCloseTo((0.03 * Math.PI) / speed + speed / 2, 6);
+  });
+});
+
+describe('near a singularity', () => {
+  test('a line slows down where a joint is at its limit, and says which and where', () => {
+    const chain = createChain(arm('puma560'));
+    const start = Float64Array.of(0, 0.6, -2.6, 0.2, 0.35, 0);
+    const T = toolAt('puma560', start);
+    const move = /** @type {Move} */ ({
+      kind: 'linear',
+      T_base_tcp: beside(T, [0, 0, 0], [0, 0.6, 0]),
+      speed: 1,
+      turnSpeed: 2,
+      acceleration: 10,
+      law: 'trapezoid',
+      ending: FINE,
+    });
+    const plan = planMotion(chain, start, [move], LIMITS);
+    expect(plan.refused).toBeNull();
+    const [part] = plan.parts;
+    expect(part.slowed.length).toBeGreaterThan(0);
+    const gone = (/** @type {number} */ t) => angleBetween(toolAt('puma560', planMomentAt(plan, t).posture), T) / 0.6;
+    for (const { from, to, joint } of part.slowed) {
+      let most = 0;
+      for (let k = 0; k <= 400; k++) {
+        const t = (plan.duration * k) / 400;
+        if (gone(t) < from - 0.01 || gone(t) > to + 0.01) continue;
+        const { rates, accelerations } = planMomentAt(plan, t);
+        const j = /** @type {number} */ (joint);
+        most = Math.max(
+          most,
+          Math.abs(rates[j]) / LIMITS.rates[j],
+          Math.abs(accelerations[j]) / LIMITS.accelerations[j],
+        );
+      }
+      expect(most).toBeGreaterThan(0.95);
+    }
+    expect(audit(plan, 2000).use).toBeLessThan(1.001);
+    const unbound = { rates: new Float64Array(6).fill(1e3), accelerations: new Float64Array(6).fill(1e6) };
+    const free = planMotion(chain, start, [move], unbound);
+    expect(free.parts[0].slowed).toEqual([]);
+    expect(free.duration).toBeLessThan(plan.duration);
+  });
+});
+
+describe('any moves', () => {
+  const small = fc.double({ min: -0.15, max: 0.15, noNaN: true });
+  const vector = fc.tuple(small, small, small);
+  const ending = fc.oneof(
+    fc.constant(FINE),
+    fc.record({ kind: fc.constant(/** @type {const} */ ('share')), share: fc.double({ min: 0, max: 1, noNaN: true }) }),
+    fc.record({
+      kind: fc.constant(/** @type {const} */ ('distance')),
+      distance: fc.double({ min: 0, max: 0.1, noNaN: true }),
+    }),
+  );
+  const law = fc.constantFrom('trapezoid', 'doubleS', 'cubic', 'quintic', 'timeOptimal');
+  const share = fc.double({ min: 0.05, max: 1, noNaN: true });
+  const step = fc.record({
+    kind: fc.constantFrom('joint', 'linear', 'circular', 'wait'),
+    by: vector,
+    turn: vector,
+    bulge: vector,
+    wobble: fc.tuple(small, small, small, small, small, small),
+    share,
+    law,
+    ending,
+  });
+  /** @typedef {{ kind: string, by: number[], turn: number[], bulge: number[], wobble: number[], share: number, law: string, ending: Ending }} Step */
+
+  /** @param {keyof typeof ARM} name @param {readonly Step[]} steps @returns {Move[]} */
+  function movesOf(name, steps) {
+    const T = toolAt(name, ARM[name]);
+    return steps.map(({ kind, by, turn, bulge, wobble, ...each }) => {
+      if (kind === 'wait') return { kind, seconds: each.share };
+      const law = /** @type {'trapezoid'} */ (each.law);
+      if (kind === 'joint') {
+        const posture = Float64Array.from(ARM[name], (value, i) => value + 3 * wobble[i]);
+        return { kind, posture, speed: each.share, acceleration: each.share, law, ending: each.ending };
+      }
+      const T_base_tcp = beside(T, by, turn);
+      const via = beside(
+        T,
+        by.map((x, i) => x / 2 + bulge[i]),
+        [0, 0, 0],
+      );
+      const speeds = { speed: each.share, turnSpeed: 3 * each.share, acceleration: 5 * each.share };
+      const base = { T_base_tcp, ...speeds, law, ending: each.ending };
+      return kind === 'linear' ? { kind, ...base } : { kind: /** @type {const} */ ('circular'), via, ...base };
+    });
+  }
+
+  test.each(names)('of %s end where they should, hang together, keep the limits, and are the same again', (name) => {
+    const chain = createChain(arm(name));
+    const start = Float64Array.from(ARM[name]);
+    let planned = 0;
+    fc.assert(
+      fc.property(fc.array(step, { minLength: 2, maxLength: 6 }), (steps) => {
+        const moves = movesOf(name, steps);
+        const plan = planMotion(chain, start, moves, LIMITS);
+        expect(planMotion(chain, start, moves, LIMITS)).toEqual(plan);
+        const count = plan.refused ? plan.refused.move : moves.length;
+        expect(plan.parts.map(({ move }) => move)).toEqual(Array.from({ length: count }, (_, i) => i));
+        if (plan.duration === 0) return;
+        planned++;
+        const { use, gap, jump } = audit(plan, 1000);
+        expect(use).toBeLessThan(1.001);
+        // across a jump of the acceleration from one limit to the other the mean rate is off by a quarter of its step, and no more
+        expect(gap).toBeLessThan(0.51);
+        expect(jump).toBeLessThan(1.001);
+        for (const { move, end, notBlended } of plan.parts) {
+          const each = moves[move];
+          const stops = each.kind === 'wait' || each.ending.kind === 'fine' || notBlended !== null;
+          if (!stops || each.kind === 'wait') continue;
+          const { posture } = planMomentAt({ ...plan, parts: plan.parts.slice(0, move + 1) }, end);
+          if (each.kind === 'joint') {
+            each.posture.forEach((value, i) => expect(Math.abs(posture[i] - value)).toBeLessThan(1e-9));
+          } else {
+            expect(distanceBetween(toolAt(name, posture), rowsOf(each.T_base_tcp))).toBeLessThan(1e-9);
+            expect(angleBetween(toolAt(name, posture), rowsOf(each.T_base_tcp))).toBeLessThan(1e-7); // the oracle's digits
+          }
+        }
+      }),
+      { seed: SEED, numRuns: runs(50) },
+    );
+    expect(planned).toBeGreaterThan(5);
+  });
+});

@@ -7,7 +7,7 @@
  * accelerations of both ways.
  *
  * @import { MoveWay } from './moveWay.js'
- * @import { Ending } from './plan.js'
+ * @import { Ending } from './moves.js'
  * @import { ToolPath } from './toolPath.js'
  */
 import { tcpPose } from '../kinematics/forward.js';

@@ -3,20 +3,24 @@
  * quickest that their speeds and accelerations and the joints allow, which is a trapezoid where the joints have nothing against
  * it: the other laws are from rest to rest.
  *
- * @import { LawName } from './restLaw.js'
- * @import { JointLimits, MotionPart } from './plan.js'
+ * @import { JointLimits, PlanLaw } from './moves.js'
  * @import { MoveWay } from './moveWay.js'
  * @import { PosturePath } from './posturePath.js'
  * @import { Section, Slowed } from './timePath.js'
  * @import { TimeLaw } from './timeLaw.js'
- *
- * @typedef {LawName | 'timeOptimal'} PlanLaw   timeOptimal: the joints alone decide how quickly the way gets faster and slower
  *
  * @typedef {object} Stretch   of the run's way, within one move
  * @property {number} move
  * @property {MoveWay} way
  * @property {PosturePath} path   by seconds of the ways
  * @property {number} ceiling     what its rate is at most
+ *
+ * @typedef {object} TimedMove
+ * @property {number} move     index
+ * @property {PosturePath} path
+ * @property {TimeLaw} law     how far along the path
+ * @property {PlanLaw} timing  by which law it is timed: the move's, unless it goes on into another, or comes out of one
+ * @property {Slowed[]} slowed   where it is slower than that, from share to share of the way, and because of which joint
  */
 import { joined, measuredBy } from './posturePath.js';
 import { restLaw } from './restLaw.js';
@@ -29,7 +33,7 @@ const NOTHING = 1e-9;
 /**
  * @param {readonly Stretch[]} stretches   1 or more, in their order
  * @param {JointLimits} limits
- * @returns {Pick<MotionPart, 'move' | 'path' | 'law' | 'slowed' | 'timing'>[]}   one a move
+ * @returns {TimedMove[]}   one a move
  */
 export function timeRun(stretches, limits) {
   let s = 0;

@@ -4,8 +4,7 @@
  *
  * @import { Chain } from '../kinematics/chain.js'
  * @import { Pose } from '../kinematics/pose.js'
- * @import { CircularMove, JointLimits, JointMove, LinearMove } from './plan.js'
- * @import { PlanLaw } from './motionRun.js'
+ * @import { CircularMove, JointLimits, JointMove, LinearMove, PlanLaw } from './moves.js'
  * @import { ToolPath } from './toolPath.js'
  *
  * @typedef {object} MoveWay

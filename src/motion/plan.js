@@ -9,55 +9,25 @@
  * @import { Pose } from '../kinematics/pose.js'
  * @import { PathRefusal } from './followPath.js'
  * @import { MoveWay } from './moveWay.js'
- * @import { PlanLaw, Stretch } from './motionRun.js'
+ * @import { Stretch, TimedMove } from './motionRun.js'
+ * @import * as asked from './moves.js'
  * @import { PosturePath } from './posturePath.js'
- * @import { Slowed } from './timePath.js'
- * @import { TimeLaw } from './timeLaw.js'
  * @import { Zone } from './planZone.js'
  *
- * @typedef {{ kind: 'fine' } | { kind: 'share', share: number } | { kind: 'distance', distance: number }} Ending
- *   share: 1 for the largest zone, which reaches to about the middle of the quicker of both moves. distance: m, within which
- *   the tool is of the corner all through the zone's way
+ * @typedef {asked.Move} Move   here too, as callers of planMotion need them
+ * @typedef {asked.LinearMove} LinearMove
+ * @typedef {asked.Ending} Ending
+ * @typedef {asked.JointLimits} JointLimits
  *
- * @typedef {object} JointMove
- * @property {'joint'} kind
- * @property {Float64Array} posture
- * @property {number} speed          share of the joints' rates, above 0 and at most 1
- * @property {number} acceleration   share of their accelerations
- * @property {PlanLaw} [law]
- * @property {Ending} ending
+ * @typedef {TimedMove & PlacedMove} MotionPart   where the arm is along `path` by `law`, from `begin` on
  *
- * @typedef {object} ToolMoveBase
- * @property {Pose} T_base_tcp     seen from the chain's root
- * @property {number} speed        m/s
- * @property {number} turnSpeed    rad/s
- * @property {number} acceleration  m/s²; of a turn in the same proportion to its speed
- * @property {PlanLaw} [law]
- * @property {Ending} ending
- * @property {Chain} [chain]       with another tool
- *
- * @typedef {ToolMoveBase & { kind: 'linear' }} LinearMove
- * @typedef {ToolMoveBase & { kind: 'circular', via: Pose }} CircularMove
- * @typedef {{ kind: 'wait', seconds: number }} Wait
- * @typedef {JointMove | LinearMove | CircularMove | Wait} Move
- *
- * @typedef {object} JointLimits   one a joint, above 0
- * @property {Float64Array} rates
- * @property {Float64Array} accelerations
- * @property {Float64Array} [jerks]   of joint moves by the S-curve
- *
- * @typedef {object} MotionPart
- * @property {number} move     index
+ * @typedef {object} PlacedMove
  * @property {Move['kind']} kind
  * @property {number} begin    s
  * @property {number} end      s
- * @property {PosturePath} path
- * @property {TimeLaw} law     how far along the path, from `begin`
- * @property {PlanLaw} timing  by which law it is timed: the move's, unless it goes on into another, or comes out of one
- * @property {Slowed[]} slowed   where it is slower than that, from share to share of the way, and because of which joint
  * @property {NotBlended | null} notBlended   why it stops though it was to end in a zone
  *
- * @typedef {'last' | 'wait' | 'still' | 'short' | Extract<Zone, { refused: string }>['refused']} NotBlended
+ * @typedef {'last' | 'wait' | 'still' | 'short' | PathRefusal['reason']} NotBlended
  *   last: no move follows. wait: one does. still: one of both has no way to go. short: the zone would have no length. The
  *   others: the postures of the zone, as of a path that is refused
  *
@@ -158,7 +128,7 @@ export function planMotion(chain, start, moves, limits, { onMove } = {}) {
   return { duration: begin, start, parts, refused: null };
 }
 
-/** @param {Wait} wait */
+/** @param {asked.Wait} wait */
 function secondsOf({ seconds }) {
   if (seconds >= 0 && seconds < Infinity) return seconds;
   throw new RangeError(`seconds: expected a number of 0 or more, got ${seconds}.`);
@@ -168,7 +138,7 @@ function secondsOf({ seconds }) {
  * @param {Chain} chain   without a tool of the move's own
  * @param {Float64Array} from
  * @param {Pose | null} T_base_from   where the tool is said to begin; null: where it is
- * @param {Exclude<Move, Wait>} move
+ * @param {Exclude<Move, asked.Wait>} move
  * @param {JointLimits} limits
  * @returns {MoveWay | Omit<MotionRefusal, 'move'>}
  */
@@ -204,7 +174,7 @@ function firstPast({ dof, joints }, from, to) {
  * @param {MoveWay} way
  * @param {Float64Array} posture   where it is now
  * @param {number} entered    share of the way that is gone by then
- * @param {Exclude<Move, Wait>} move
+ * @param {Exclude<Move, asked.Wait>} move
  * @param {Move | undefined} nextMove
  * @param {Chain} chain
  * @param {JointLimits} limits

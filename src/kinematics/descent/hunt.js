@@ -46,6 +46,10 @@ const BETTER = 1 - 1e-6;
 /** So many starts from anywhere that come to the same, as near as descents that stop at the first standstill can tell. */
 const AGREEING = { starts: 8, within: 1.1 };
 
+/** Starts near the limits of the first three joints, and how near, of the way from limit to limit. */
+const CORNERS = 8;
+const NEAR_LIMIT = 0.1;
+
 /** How many times the iterations of another descent the last one may take, which goes to the very bottom. */
 const SETTLING = 10;
 
@@ -85,6 +89,22 @@ function startAnywhere(hunt) {
   // so far from zero an unlimited slide is looked for, m
   const travel = distanceFromShoulder(chain, goal) + 2 * chain.characteristicLength;
   fillRandomPosture(search.packed, random, travel, search.q);
+}
+
+/**
+ * A posture whose first joints are near their limits, into search.q: where a place is out of reach, the valleys lie apart by which
+ * limit a joint runs into.
+ * @param {Hunt} hunt
+ * @param {number} corner  its binary digits say which limit
+ */
+function startInCorner(hunt, corner) {
+  startAnywhere(hunt);
+  const { lower, upper } = hunt.search.packed;
+  const { q } = hunt.search;
+  for (let i = 0; i < Math.min(3, q.length); i++) {
+    const room = upper[i] - lower[i];
+    if (room < Infinity) q[i] = lower[i] + room * ((corner >> i) & 1 ? 1 - NEAR_LIMIT : NEAR_LIMIT);
+  }
 }
 
 /** The first descent of all: from the seed to the whole pose, inside the limits. @param {Hunt} hunt */
@@ -201,6 +221,7 @@ export function seekPlace(hunt, restarts) {
   search.task = 'position';
   for (let k = 0; k <= restarts; k++) {
     if (k === 0) search.q.set(hunt.best);
+    else if (k <= CORNERS) startInCorner(hunt, k - 1);
     else startAnywhere(hunt);
     if (descend(search) === 'met') return 0;
     if (search.cost > most) most = search.cost;

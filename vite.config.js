@@ -2,10 +2,11 @@
 import { defineConfig } from 'vite';
 import { bootstrapParts } from './scripts/bootstrapParts.mjs';
 import { contentPolicyPlugin } from './scripts/contentPolicy.mjs';
+import { threeParts } from './scripts/threeParts.mjs';
 
 export default defineConfig({
   base: './',
-  plugins: [contentPolicyPlugin()],
+  plugins: [contentPolicyPlugin(), threeParts()],
   css: { postcss: { plugins: [bootstrapParts()] } },
   build: {
     target: 'es2022',

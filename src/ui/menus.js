@@ -21,8 +21,14 @@ export function giveMenu(button, offset = [0, 2]) {
   // As attributes: once the plugin is here, Bootstrap hears of a click before the button does, and makes the menu itself.
   Object.assign(button.dataset, {
     bsToggle: 'dropdown',
-    bsOffset: offset.join(),
-    bsPopperConfig: '{"strategy":"fixed"}', // over the edges of what scrolls
+    bsPopperConfig: JSON.stringify({
+      strategy: 'fixed', // over the edges of what scrolls
+      modifiers: [
+        { name: 'offset', options: { offset } },
+        // A long one stays on the screen, over its own button if it must.
+        { name: 'preventOverflow', options: { altAxis: true, padding: 8 } },
+      ],
+    }),
   });
   button.setAttribute('aria-expanded', 'false');
 

@@ -31,24 +31,4 @@ export const STRUCTURE = {
     `${name[0].toUpperCase()}${name.slice(1)} (${sign})`,
   converted: (/** @type {string} */ unit) => `The numbers are in ${unit} now; the robot is the same.`,
   convention: 'Convention:',
-  conventionName: { standard: 'standard', modified: 'modified (Craig)' },
-  conventionDetail: {
-    standard: 'Frame i sits at the far end of link i.',
-    modified: 'Frame i sits on the axis of joint i.',
-  },
-  convert: (/** @type {string} */ name) => `Convert to ${name}`,
-  convertDetail: 'Same robot, other numbers. The arm does not move.',
-  convertedTo: (/** @type {string} */ name) =>
-    `Converted to ${name}: other numbers, the same robot; the arm has not moved.`,
-  baseChanged: 'The base changed with the table.',
-  toolChanged: 'The tool changed with the table.',
-  reread: (/** @type {string} */ name) => `Read the numbers as ${name}`,
-  rereadPlain: 'Same numbers, another robot. The arm changes shape.',
-  rereadDetail: (/** @type {string} */ distance) => `Same numbers, another robot. The tool jumps by ${distance}.`,
-  rereadAs: (
-    /** @type {string} */ name,
-    /** @type {'standard' | 'modified'} */ convention,
-    /** @type {string} */ distance,
-  ) =>
-    `The numbers are read as ${name} now: another robot, since a and α of a row come ${convention === 'modified' ? 'before its joint, no longer after it' : 'after its joint, no longer before it'}. The tool moved by ${distance}.`,
 };

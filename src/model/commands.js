@@ -5,6 +5,7 @@
  * A value that is undefined takes a limit away. A text is what was typed for the value, where that was an expression.
  *
  * @import { Convention, Doc, JointField, Units } from './document.js'
+ * @import { ControllerCommand } from './controllerCommand.js'
  * @import { FrameCommand } from './frameCommands.js'
  * @import { JointCommand } from './jointCommands.js'
  * @import { MotionCommand } from './motionCommands.js'
@@ -29,10 +30,12 @@
  *   | TargetCommand
  *   | FrameCommand
  *   | MotionCommand
+ *   | ControllerCommand
  *   | RobotCommand} Command
  *
  * Converting keeps the robot and changes the numbers; reinterpreting keeps the numbers and changes the robot.
  */
+import { applyControllerCommand } from './controllerCommand.js';
 import { convertConvention } from './convertConvention.js';
 import { convertUnits } from './convertUnits.js';
 import { applyFrameCommand } from './frameCommands.js';
@@ -118,6 +121,8 @@ export function applyCommand(doc, command) {
     case 'move-step':
     case 'remove-steps':
       return applyMotionCommand(doc, command);
+    case 'set-controller':
+      return applyControllerCommand(doc, command);
     case 'set-base':
     case 'set-tool':
     case 'set-link':

@@ -1,7 +1,7 @@
 /**
  * A robot's controller convention in words, for the header of the code and for the person who compares numbers.
  *
- * @import { JointDoc, RobotDoc } from './document.js'
+ * @import { RobotDoc } from './document.js'
  */
 import { hasControllerData, isCoupled } from './controllerData.js';
 import { quantityOf } from './document.js';
@@ -12,12 +12,13 @@ import { quantityOf } from './document.js';
  * @returns {string[]}
  */
 export function conventionLines(robot) {
-  if (hasControllerData(robot)) return robot.joints.map((joint, index) => line(robot, joint, index));
+  if (hasControllerData(robot)) return robot.joints.map((_, index) => conventionLine(robot, index));
   return ["the model's own joint values; it has no controller data, and the coupling of FANUC's J3 to J2 is not set"];
 }
 
-/** @param {RobotDoc} robot @param {JointDoc} joint @param {number} index */
-function line({ joints, units }, joint, index) {
+/** Of one joint, whatever the others have. @param {RobotDoc} robot @param {number} index */
+export function conventionLine({ joints, units }, index) {
+  const joint = joints[index];
   const { sign, offset, coupling, coupledTo } = joint.controller;
   const other = joints.findIndex(({ id }) => id === coupledTo) + 1;
   const factor = Math.abs(coupling) === 1 ? '' : `${Math.abs(coupling)} `;

@@ -7,6 +7,7 @@
  */
 import { MAX_POSTURES } from './document.js';
 import { CONVENTIONS } from './documentRules.js';
+import { controllerRefusal } from './controllerCommand.js';
 import { frameRefusal } from './frameRefusals.js';
 import { motionRefusal } from './motionRefusals.js';
 import { tableRefusal } from './tableCommand.js';
@@ -94,6 +95,8 @@ export function refusal(doc, command) {
     case 'move-step':
     case 'remove-steps':
       return motionRefusal(doc, command);
+    case 'set-controller':
+      return controllerRefusal(doc, command);
     case 'set-base':
     case 'set-tool':
     case 'set-link':

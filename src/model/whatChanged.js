@@ -10,7 +10,7 @@
  *
  * @typedef {{ what: 'field', joint: number, field: JointField }
  *   | { what: 'rate', joint: number, rate: Rate }
- *   | { what: 'type' | 'link' | 'joint' | 'joint-added' | 'joint-removed' | 'joint-moved', joint: number }
+ *   | { what: 'type' | 'link' | 'controller' | 'joint' | 'joint-added' | 'joint-removed' | 'joint-moved', joint: number }
  *   | { what: 'robot' | 'name', name: string }
  *   | { what: 'tool-chosen' | 'user-chosen', id: string | null }
  *   | { what: 'units', units: Units }
@@ -113,8 +113,10 @@ function ofJoint(joint, before, after) {
   );
   const rates = RATES.filter((rate) => before[rate] !== after[rate]);
   const isLink = before.link !== after.link;
-  if (fields.length + rates.length + Number(isLink) !== 1) return { what: 'joint', joint };
+  const isController = before.controller !== after.controller;
+  if (fields.length + rates.length + Number(isLink) + Number(isController) !== 1) return { what: 'joint', joint };
   if (isLink) return { what: 'link', joint };
+  if (isController) return { what: 'controller', joint };
   return fields.length === 1 ? { what: 'field', joint, field: fields[0] } : { what: 'rate', joint, rate: rates[0] };
 }
 

@@ -13,7 +13,7 @@ export function createConfigurationFold(page) {
   const fold = foldMaker(page.clock, page.messages.fault)('fold-configuration', async (body) =>
     (await import('./configurationLine.js')).createConfigurationLine(page, body),
   );
-  fold.setHead(TEXT.pose.configuration, TEXT.pose.configurationDetail);
+  fold.setHead(TEXT.pose.configuration);
   page.addView(
     ({ doc }) => hasPendant(doc.robot),
     (isOffered) => (fold.element.hidden = !isOffered),

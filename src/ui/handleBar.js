@@ -1,9 +1,8 @@
 /**
- * What belongs to the handle on the tool beside the picture: the axes that it has, whether it snaps, and a calm line that
- * says what stands in the tool's way.
+ * What belongs to the handle on the tool beside the picture: the axes that it has and whether it snaps. What a drag or keys have
+ * to say is fetched with the first of them (handleLine.js).
  *
  * @import { Page } from './page.js'
- * @import { RobotDoc } from '../model/document.js'
  * @import { HandleAxes } from '../model/handleAxes.js'
  * @import { Session } from '../model/session.js'
  */
@@ -12,54 +11,24 @@ import { handleStep } from '../model/handleAxes.js';
 import { isHandleShown } from '../model/handleShown.js';
 import { fromKernel } from '../model/units.js';
 import { together } from '../model/views.js';
-import { fill, h } from './dom.js';
-import { fixed, plain, poseNumber, withUnit } from './format.js';
+import { h } from './dom.js';
+import { plain, withUnit } from './format.js';
 import { icon } from './icons.js';
 import { TEXT } from './strings.js';
+import { whenFirst } from './whenFirst.js';
 
 const words = TEXT.drag;
 
 /** @type {readonly HandleAxes[]} */
 const AXES = ['base', 'tool', 'world', 'user'];
 
-const DECIMALS = { mm: 0, cm: 1, m: 3, deg: 0, rad: 2 };
-
-/**
- * What is short of a wish needs no hundredths, unless there is nothing else of it.
- * @param {RobotDoc} robot
- * @param {'length' | 'angle'} quantity
- * @param {number} value  metres or radians
- */
-function roughly({ units }, quantity, value) {
-  const unit = units[quantity];
-  const number = fromKernel(quantity, value, units);
-  const rough = fixed(number, DECIMALS[unit]);
-  return withUnit(Number(rough) === 0 ? poseNumber(number, unit) : rough, unit);
-}
-
-/**
- * @param {RobotDoc} robot
- * @param {NonNullable<NonNullable<Session['drag']>['hindrance']>} hindrance
- */
-export function hindranceInWords(robot, { kind, joint, metres, radians }) {
-  const name = `J${(joint ?? 0) + 1}`;
-  const turn = roughly(robot, 'angle', radians);
-  // where the place is met, what is missing is a turn
-  const short = metres > 1e-5 ? roughly(robot, 'length', metres) : turn;
-  if (kind === 'limit') return words.limit(name);
-  if (kind === 'singularity') return words.singularity(name);
-  if (kind === 'orientation') return words.orientation(turn);
-  if (kind === 'part') return words.part(turn);
-  return robot.joints.length < 6 ? words.fewReach(short) : words.reach(short);
-}
-
 /**
  * @param {Page} page
  * @param {HTMLElement} host
  * @param {{ isWide: () => boolean, poseInWords: () => string }} given
  */
-export function createHandleBar({ store, addView, derived, announce }, host, { isWide, poseInWords }) {
-  const line = h('p', { class: 'float drag-line', hidden: true });
+export function createHandleBar(page, host, { isWide, poseInWords }) {
+  const { store, addView, derived } = page;
   const axisButtons = AXES.map((axes) => h('button', { type: 'button', 'data-axes': axes }, words.axes[axes]));
   const snap = h('button', { type: 'button', class: 'btn snap', title: words.snapTitle });
   const bar = h(
@@ -68,7 +37,7 @@ export function createHandleBar({ store, addView, derived, announce }, host, { i
     h('div', { class: 'seg', role: 'group', 'aria-label': words.axesLabel }, axisButtons),
     snap,
   );
-  host.append(h('div', { class: 'handle-bar' }, line, bar));
+  host.append(h('div', { class: 'handle-bar' }, bar));
 
   /** @param {Partial<Session['handle']>} change */
   const change = (change) =>
@@ -95,40 +64,10 @@ export function createHandleBar({ store, addView, derived, announce }, host, { i
     },
   );
 
-  let said = ''; // of what stands in the way: once, however the numbers change
-  addView(
-    together(({ doc, session }) => [doc.robot, session.drag, session.toolKeys, session.handle.across]),
-    ([robot, drag, toolKeys, across]) => {
-      const hindrance = drag?.hindrance;
-      const text = hindrance ? hindranceInWords(robot, hindrance) : toolKeys ? words.takenShort[toolKeys](across) : '';
-      line.hidden = text === '';
-      line.classList.toggle('is-stopped', Boolean(hindrance));
-      fill(line, hindrance && icon('slash'), h('span', {}, text));
-      const now = hindrance ? `${hindrance.kind} ${hindrance.joint}` : '';
-      if (now !== said && hindrance) announce(text);
-      said = now;
-    },
-  );
-  /** @type {Session['toolKeys']} */
-  let taken = null;
-  addView(
-    together(({ session }) => [session.toolKeys, session.handle.axes, session.handle.across]),
-    ([toolKeys, axes, across]) => {
-      if (toolKeys) announce(words.taken[toolKeys](words.inAxes[axes], across));
-      else if (taken) announce(words.givenBack);
-      taken = toolKeys;
-    },
-  );
-  /** @type {readonly number[] | null} */
-  let heard = null;
-  addView(
-    together(({ doc, session, gesture }) => [session.toolKeys, gesture === null, doc.posture]),
-    ([toolKeys, isAtRest, posture]) => {
-      if (toolKeys && !isAtRest) return;
-      const isNew = toolKeys !== null && heard !== null && heard !== posture;
-      heard = toolKeys ? posture : null;
-      if (isNew) announce(poseInWords());
-    },
+  whenFirst(
+    page,
+    ({ session }) => session.drag !== null || session.toolKeys !== null,
+    async () => (await import('./handleLine.js')).createHandleLine(page, bar, poseInWords),
   );
 }
 

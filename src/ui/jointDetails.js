@@ -1,5 +1,5 @@
 /**
- * What belongs to one joint beside its row: limits, home and rates, and how its link is drawn.
+ * What belongs to one joint beside its row: limits, home and rates, how its link is drawn, and how a pendant counts it.
  *
  * @import { Page } from './page.js'
  * @import { CellEditor } from './cellEditor.js'
@@ -10,6 +10,7 @@ import { homePosture, quantityOf } from '../model/document.js';
 import { together } from '../model/views.js';
 import { captioned, textInput } from './captioned.js';
 import { editCell } from './cellEditor.js';
+import { createControllerControls } from './controllerControls.js';
 import './css/robotDetails.css';
 import { fill, h } from './dom.js';
 import { compact, jointNumber, plain, unitOf, unitSign, withUnit } from './format.js';
@@ -45,8 +46,9 @@ export function createJointDetails(page, host, scene) {
     const rates = RATES.map((rate) => rateField(page, index, rate, reasons.set));
     const link = createLinkControls(page, index, scene, reasons.set);
     const use = createUse(page, index);
-    editors = [...limits, ...rates, link].map(({ editor }) => editor);
-    drawings = [link.draw, use.draw];
+    const controller = createControllerControls(page, index, reasons.set);
+    editors = [...limits, ...rates, link, controller].map(({ editor }) => editor);
+    drawings = [link.draw, use.draw, controller.draw];
     fill(
       host,
       h(
@@ -61,6 +63,7 @@ export function createJointDetails(page, host, scene) {
         rates.map(({ element }) => element),
       ),
       link.element,
+      controller.element,
       reasons.element,
     );
   }
@@ -73,7 +76,7 @@ export function createJointDetails(page, host, scene) {
       if (index === null) return;
       const { id, type } = robot.joints[index];
       const { length, angle } = robot.units;
-      const wanted = [index, id, type, length, angle].join();
+      const wanted = [index, id, type, length, angle, ...robot.joints.map((joint) => joint.id)].join();
       if (now !== edition) editors.forEach((editor) => editor.forget());
       edition = now;
       if (wanted !== shape) build(robot, index);

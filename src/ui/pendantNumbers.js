@@ -6,7 +6,6 @@
  * @import { RobotDoc } from '../model/document.js'
  */
 import './css/controller.css';
-import { conventionLines } from '../model/controllerConvention.js';
 import { hasControllerData } from '../model/controllerData.js';
 import {
   coupledTo,
@@ -18,6 +17,7 @@ import {
 } from '../model/pendantNumbers.js';
 import { fill, h } from './dom.js';
 import { jointNumber, withUnit } from './format.js';
+import { pendantLine } from './pendantLine.js';
 import { CONTROLLER } from './words/controller.js';
 
 const nameOf = (/** @type {number} */ joint) => `J${joint + 1}`;
@@ -66,7 +66,7 @@ export function showPendant({ store, announce }, isPendant) {
 /** @param {RobotDoc} robot */
 function noteOn(robot) {
   if (!hasControllerData(robot)) return [h('p', { class: 'soft sm' }, CONTROLLER.noData)];
-  const lines = conventionLines(robot).map((line) => line.replaceAll('-', '−').replaceAll(' deg', '°'));
+  const lines = robot.joints.map((_, i) => pendantLine(robot, i));
   const coupled = robot.joints.flatMap((_, i) =>
     coupledTo(robot, i).map((k) => CONTROLLER.coupled(nameOf(k), nameOf(i))),
   );

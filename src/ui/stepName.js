@@ -38,6 +38,7 @@ function changeName(before, after) {
       return STEPS.rate(change.rate, change.joint + 1);
     case 'type':
     case 'link':
+    case 'controller':
     case 'joint':
       return STEPS[change.what](change.joint + 1);
     case 'joint-added':

@@ -16,7 +16,7 @@ const ROWS = [
 const LIMITS = [180, 76, 230, 360, 125, 360];
 const XML = `<robotModel xmlns="urn:denavit:robot-model:1" version="1.0" lengthUnit="mm" angleUnit="deg" convention="standard"><info><name>R-2000iB/165F</name></info><chain>${ROWS.map(
   ([theta, d, a, alpha], i) =>
-    `<joint id="j${i + 1}" type="revolute"><dh theta="${theta}" d="${d}" a="${a}" alpha="${alpha}"/><limits lower="-${LIMITS[i]}" upper="${LIMITS[i]}"/>${i === 2 ? '<controller sign="1" offset="0" coupledTo="j2" coupling="-1"/>' : ''}</joint>`,
+    `<joint id="j${i + 1}" type="revolute"><dh theta="${theta}" d="${d}" a="${a}" alpha="${alpha}"/><limits lower="-${LIMITS[i]}" upper="${LIMITS[i]}"/></joint>`,
 ).join('')}</chain></robotModel>`;
 const PENDANT = [7.962, -5.284, -36.25, 77.661, -51.975, -79.273];
 const POSE = { X: 1500, Y: 0, Z: 360, W: 135, P: -45, R: 0 };
@@ -27,6 +27,19 @@ test('the published numbers of an R-2000iB, typed as on its pendant, are its pub
   await open(page);
   await page.evaluate((xml) => window.denavit.load(xml), XML);
   await page.getByRole('switch', { name: 'Pendant numbers' }).check();
+  await expect(page.locator('.controller-note')).toContainText('no controller data');
+  // the coupling of J3 is set below the table, by keys
+  await page.getByLabel('Joint 3, link length a, millimetres').focus();
+  await page.locator('#fold-joint').press('Enter');
+  const third = page.getByRole('group', { name: 'Joint 3 on the pendant' });
+  await third.getByRole('combobox', { name: 'Joint 3 on the pendant follows' }).selectOption('J2');
+  await expect(third).toContainText('J3 = q3 − J2');
+  const factor = third.getByRole('textbox', { name: 'Joint 3 on the pendant follows by the factor' });
+  await factor.fill('two');
+  await factor.press('Enter');
+  await expect(page.locator('#joint-details-reason')).toBeVisible();
+  await factor.press('Escape');
+  await expectAccessible(page, { within: '#fold-joint-body' });
   await expect(page.locator('.controller-lines')).toContainText('J3 = q3 − J2');
   const field = (/** @type {number} */ joint) => page.getByRole('textbox', { name: `Joint ${joint}, degrees` });
   for (const [i, value] of PENDANT.entries()) {

@@ -10,7 +10,7 @@ export const CONTROLLER = {
     `${joint} counts against ${to}: a new ${to} turns the joint of ${joint} as well, so that the number of ${joint} stays.`,
   lines: 'Pendant and table',
   noData:
-    'This robot has no controller data, so the pendant would show the joint values of the table. A FANUC counts J3 from the horizontal; that coupling to J2, signs and zeros come with the robot file.',
+    'This robot has no controller data, so the pendant would show the joint values of the table. A FANUC counts J3 from the horizontal; that coupling to J2, signs and zeros come with the robot file, or are set below the table, under the joint.',
   configuration: 'Configuration',
   fanuc: 'FANUC',
   kuka: 'KUKA',
@@ -18,4 +18,20 @@ export const CONTROLLER = {
   kukaBits: (/** @type {number} */ status, /** @type {number} */ turn) =>
     `S ${status.toString(2).padStart(3, '0')}, T ${turn.toString(2).padStart(6, '0')} in bits`,
   spoken: (/** @type {string} */ fanuc, /** @type {string} */ kuka) => `Configuration: FANUC ${fanuc}; KUKA ${kuka}.`,
+};
+
+/** How the pendant counts one joint. */
+export const JOINT_CONTROLLER = {
+  group: (/** @type {number} */ joint) => `Joint ${joint} on the pendant`,
+  about: 'On the controller’s pendant. It changes numbers only: the arm stays where it is.',
+  sign: (/** @type {number} */ joint) => `Joint ${joint} on the pendant counts`,
+  signShort: 'Counts',
+  signs: { 1: 'as the table', '-1': 'backwards' },
+  offset: (/** @type {number} */ joint, /** @type {string} */ unit) => `Joint ${joint} on the pendant at zero, ${unit}`,
+  offsetShort: 'At table zero',
+  coupledTo: (/** @type {number} */ joint) => `Joint ${joint} on the pendant follows`,
+  coupledToShort: 'Follows',
+  none: 'no joint',
+  coupling: (/** @type {number} */ joint) => `Joint ${joint} on the pendant follows by the factor`,
+  couplingShort: 'By the factor',
 };

@@ -13,8 +13,7 @@ export const POSE = {
   copy: 'Copy the pose',
   copyMore: 'Copy as…',
   copyFailed: 'The browser does not allow copying here.',
-  configuration: 'Configuration',
-  configurationDetail: 'FANUC and KUKA',
+  configuration: 'FANUC and KUKA configuration',
   locked: (/** @type {string} */ first, /** @type {string} */ last, /** @type {string} */ zero) =>
     `${first} and ${last} turn about one axis here; ${zero} is 0.`,
   spoken: (/** @type {string} */ numbers) => `The tool is at ${numbers}.`,

@@ -18,6 +18,7 @@ export const STEPS = {
     `${{ velocity: 'rate limit', acceleration: 'acceleration', jerk: 'jerk', effort: 'effort' }[rate]} of joint ${joint}`,
   type: /** @type {OfJoint} */ ((joint) => `type of joint ${joint}`),
   link: /** @type {OfJoint} */ ((joint) => `how link ${joint} is drawn`),
+  controller: /** @type {OfJoint} */ ((joint) => `pendant number of joint ${joint}`),
   joint: /** @type {OfJoint} */ ((joint) => `joint ${joint} changed`),
   jointAdded: /** @type {OfJoint} */ ((joint) => `joint ${joint} added`),
   jointRemoved: /** @type {OfJoint} */ ((joint) => `joint ${joint} removed`),

@@ -66,6 +66,20 @@ const anyRobotCommand = fc.oneof(
     value: fc.option(anyNumber, { nil: undefined }),
     gesture: anyGesture,
   }),
+  fc.record({
+    type: fc.constant(/** @type {const} */ ('set-controller')),
+    joint: anyJoint,
+    controller: fc.record(
+      {
+        sign: fc.constantFrom(...[1, -1, 0].map((sign) => /** @type {1} */ (sign))),
+        offset: anyNumber,
+        coupling: fc.oneof(fc.constantFrom(0, -1, 1), anyNumber),
+        coupledTo: fc.constantFrom('j1', 'j2', 'j3', 'joint_1', 'none'),
+      },
+      { requiredKeys: ['sign', 'offset', 'coupling'] },
+    ),
+    gesture: anyGesture,
+  }),
   fc.record({ type: fc.constant(/** @type {const} */ ('rename-robot')), name: anyText }),
   fc.record({
     type: fc.constant(/** @type {const} */ ('set-robot-info')),

@@ -6,6 +6,7 @@ import { LIBRARY, newDocument } from '../../../src/model/library.js';
 import { refusal } from '../../../src/model/refusals.js';
 import { reduce, startState } from '../../../src/model/session.js';
 import { validateDocument } from '../../../src/model/validate.js';
+import { whatChanged } from '../../../src/model/whatChanged.js';
 
 /** @typedef {import('../../../src/model/commands.js').Command} Command */
 
@@ -29,6 +30,15 @@ describe('a command about the robot', () => {
       { kind: 'box', width: 80, color: '#ffcc00' },
     ],
     [{ type: 'set-joint-rate', joint: 2, rate: 'velocity', value: 120 }, ({ robot }) => robot.joints[2].velocity, 120],
+    [
+      {
+        type: 'set-controller',
+        joint: 2,
+        controller: { sign: -1, offset: 90, coupling: -1, coupledTo: doc.robot.joints[1].id },
+      },
+      ({ robot }) => robot.joints[2].controller,
+      { sign: -1, offset: 90, coupling: -1, coupledTo: doc.robot.joints[1].id },
+    ],
     [{ type: 'rename-robot', name: 'My arm' }, ({ robot }) => robot.name, 'My arm'],
     [{ type: 'set-robot-info', field: 'author', text: 'A. N.' }, ({ robot }) => robot.info.author, 'A. N.'],
     [{ type: 'set-robot-info', field: 'source', text: '' }, ({ robot }) => 'source' in robot.info, false],
@@ -108,4 +118,31 @@ describe('is refused with a reason:', () => {
       'Expected manufacturer or author or licence or source or description as the field, got "price".',
     ],
   ])('%j', (command, wanted) => expect(reason(command)).toBe(wanted));
+});
+
+describe('how a pendant counts a joint', () => {
+  const [j1, j2, j3] = doc.robot.joints.map(({ id }) => id);
+  const plain = /** @type {const} */ ({ sign: 1, offset: 0, coupling: 0 });
+  /** @param {number} joint @param {object} controller */
+  const set = (joint, controller) => ({ type: 'set-controller', joint, controller: { ...plain, ...controller } });
+
+  test.each([
+    [set(6, {}), 'Expected a joint index from 0 to 5, got 6.'],
+    [set(0, { sign: 0 }), 'A sign is 1 or −1; got 0.'],
+    [set(0, { offset: NaN }), 'A number on the pendant is a number from −10⁹ to 10⁹; got NaN.'],
+    [set(0, { coupling: -1 }), 'A coupling is to a joint.'],
+    [set(0, { coupling: -1, coupledTo: 'none' }), 'There is no joint "none".'],
+    [set(1, { coupling: -1, coupledTo: j2 }), 'A circle of couplings: J2, J2.'],
+  ])('%j is refused: %s', (command, message) => {
+    expect(reason(command)).toBe(message);
+  });
+
+  test('in a circle is refused, with the circle', () => {
+    const one = applyCommand(doc, /** @type {Command} */ (set(2, { coupling: -1, coupledTo: j2 })));
+    const two = applyCommand(one, /** @type {Command} */ (set(1, { coupling: 1, coupledTo: j1 })));
+    expect(refusal(two, /** @type {Command} */ (set(0, { coupling: 1, coupledTo: j3 })))?.message).toBe(
+      'A circle of couplings: J1, J3, J2, J1.',
+    );
+    expect(whatChanged(doc, one)).toEqual({ what: 'controller', joint: 2 });
+  });
 });

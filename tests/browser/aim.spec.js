@@ -10,19 +10,6 @@ async function aimAt(page, numbers) {
   await page.getByRole('button', { name: 'Move there' }).click();
 }
 
-test('a typed pose takes the arm there', async ({ page }) => {
-  await open(page);
-  await aimAt(page, { X: 450, Y: 100, Z: 900, W: 180, P: 0, R: 30 });
-  await expect(page.locator('.verdict-line')).toHaveText('Reached: 0.00 mm, 0.00° off.');
-  const pose = await page.evaluate(() => window.denavit.pose());
-  // Tool straight down, turned by 30° about the vertical, written out by hand.
-  const [c, s] = [Math.cos(Math.PI / 6), 0.5];
-  const expected = [[c, s, 0, 0.45], [s, -c, 0, 0.1], [0, 0, -1, 0.9], [0, 0, 0, 1]]; // prettier-ignore
-  pose.forEach((row, i) => row.forEach((value, j) => expect(value).toBeCloseTo(expected[i][j], 8)));
-  await page.getByRole('button', { name: 'Undo' }).click();
-  await expect(page.locator('.verdict-line')).toContainText('to go.');
-});
-
 test('a target out of reach says by how much, leaves the arm, and offers the nearest', async ({ page }) => {
   await open(page);
   const place = await tool(page);
@@ -36,15 +23,6 @@ test('a target out of reach says by how much, leaves the arm, and offers the nea
   await expect(page.locator('.tag.miss').filter({ hasText: 'no motion this way' })).toBeVisible();
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect(page.locator('.lost-line')).toBeHidden();
-});
-
-test('a target that only a joint past its limit would reach says by how much, on the joint’s dial too', async ({
-  page,
-}) => {
-  await open(page);
-  await aimAt(page, { X: -300, Y: -500, Z: 100, W: 0, P: 0, R: 0 });
-  await expect(page.locator('.verdict-line')).toContainText('Only outside the limits: J2 would have to go 22.1° past');
-  await expect(page.locator('.tag.miss').filter({ hasText: 'J2 +22.1°' })).toBeVisible();
 });
 
 test('an arm with four joints meets what it can, and says what that is', async ({ page }) => {
@@ -68,42 +46,64 @@ test('a field that holds no number is marked, and nothing moves', async ({ page 
   expect(await tool(page)).toEqual(place);
 });
 
-test('the fields follow the tool until someone types, and again when asked', async ({ page }) => {
+test('the fields of the target: they follow the tool until someone types, and texts in them wait to be mended', async ({
+  page,
+}) => {
   await open(page);
-  const x = page.getByLabel('Target X, millimetres');
-  await page.evaluate(() => window.denavit.setJoints([0, 0, 0, 0, 0, 0]));
-  await expect(x).toHaveValue('452.10');
-  await x.fill('400');
-  await page.evaluate(() => window.denavit.setJoints([0, 45, -180, 0, 45, 0]));
-  await expect(x).toHaveValue('400');
-  await page.getByRole('button', { name: 'Take the tool pose' }).click();
-  await expect(x).toHaveValue('596.30');
+  await test.step('the fields follow the tool until someone types, and again when asked', async () => {
+    const x = page.getByLabel('Target X, millimetres');
+    await page.evaluate(() => window.denavit.setJoints([0, 0, 0, 0, 0, 0]));
+    await expect(x).toHaveValue('452.10');
+    await x.fill('400');
+    await page.evaluate(() => window.denavit.setJoints([0, 45, -180, 0, 45, 0]));
+    await expect(x).toHaveValue('400');
+    await page.getByRole('button', { name: 'Take the tool pose' }).click();
+    await expect(x).toHaveValue('596.30');
+  });
+  await test.step('texts in the target wait to be mended, and tabbing through changes nothing', async () => {
+    const x = page.getByLabel('Target X, millimetres');
+    await x.focus();
+    for (let i = 0; i < 5; i++) await page.keyboard.press('Tab');
+    await expect(x).toHaveValue('596.30');
+    await x.fill('450,5');
+    await page.keyboard.press('Tab');
+    await expect(x).toHaveAttribute('aria-invalid', 'true');
+    await page.getByLabel('Target Y, millimetres').fill('100');
+    await page.keyboard.press('Tab');
+    await expect(x).toHaveValue('450,5');
+    await expect(page.locator('#aim-reason')).toContainText('Decimals are written with a point: 450.5.');
+    await page.getByRole('button', { name: 'Move there' }).click();
+    expect(await page.evaluate(() => window.denavit.joints())).toEqual([0, 45, -180, 0, 45, 0]);
+  });
 });
 
-test('texts in the target wait to be mended, and tabbing through changes nothing', async ({ page }) => {
+test('a typed pose takes the arm there, and by how much it would be past a limit', async ({ page }) => {
   await open(page);
-  const x = page.getByLabel('Target X, millimetres');
-  await x.focus();
-  for (let i = 0; i < 5; i++) await page.keyboard.press('Tab');
-  await expect(x).toHaveValue('596.30');
-  await x.fill('450,5');
-  await page.keyboard.press('Tab');
-  await expect(x).toHaveAttribute('aria-invalid', 'true');
-  await page.getByLabel('Target Y, millimetres').fill('100');
-  await page.keyboard.press('Tab');
-  await expect(x).toHaveValue('450,5');
-  await expect(page.locator('#aim-reason')).toContainText('Decimals are written with a point: 450.5.');
-  await page.getByRole('button', { name: 'Move there' }).click();
-  expect(await page.evaluate(() => window.denavit.joints())).toEqual([0, 45, -180, 0, 45, 0]);
-});
-
-test('undo after "Move there" by Enter takes the move back', async ({ page }) => {
-  await open(page);
-  await page.getByLabel('Target X, millimetres').fill('500');
-  await page.keyboard.press('Enter');
-  await expect(page.locator('.verdict-line')).toHaveText('Reached: 0.00 mm, 0.00° off.');
-  await page.keyboard.press('Control+z');
-  expect(await page.evaluate(() => window.denavit.joints())).toEqual([0, 45, -180, 0, 45, 0]);
+  await test.step('undo after "Move there" by Enter takes the move back', async () => {
+    await page.getByLabel('Target X, millimetres').fill('500');
+    await page.keyboard.press('Enter');
+    await expect(page.locator('.verdict-line')).toHaveText('Reached: 0.00 mm, 0.00° off.');
+    await page.keyboard.press('Control+z');
+    expect(await page.evaluate(() => window.denavit.joints())).toEqual([0, 45, -180, 0, 45, 0]);
+  });
+  await test.step('a typed pose takes the arm there', async () => {
+    await aimAt(page, { X: 450, Y: 100, Z: 900, W: 180, P: 0, R: 30 });
+    await expect(page.locator('.verdict-line')).toHaveText('Reached: 0.00 mm, 0.00° off.');
+    const pose = await page.evaluate(() => window.denavit.pose());
+    // Tool straight down, turned by 30° about the vertical, written out by hand.
+    const [c, s] = [Math.cos(Math.PI / 6), 0.5];
+    const expected = [[c, s, 0, 0.45], [s, -c, 0, 0.1], [0, 0, -1, 0.9], [0, 0, 0, 1]]; // prettier-ignore
+    pose.forEach((row, i) => row.forEach((value, j) => expect(value).toBeCloseTo(expected[i][j], 8)));
+    await page.getByRole('button', { name: 'Undo' }).click();
+    await expect(page.locator('.verdict-line')).toContainText('to go.');
+  });
+  await test.step('a target that only a joint past its limit would reach says by how much, on the joint’s dial too', async () => {
+    await aimAt(page, { X: -300, Y: -500, Z: 100, W: 0, P: 0, R: 0 });
+    await expect(page.locator('.verdict-line')).toContainText(
+      'Only outside the limits: J2 would have to go 22.1° past',
+    );
+    await expect(page.locator('.tag.miss').filter({ hasText: 'J2 +22.1°' })).toBeVisible();
+  });
 });
 
 test('a pose pasted in KUKA’s way is looked at, aimed at, shown as a quaternion and turned straight down', async ({

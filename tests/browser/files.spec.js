@@ -76,30 +76,30 @@ test('a URDF is opened as the same arm, and goes out as one and in other formats
   (await tool(page)).forEach((value, i) => expect(value).toBeCloseTo(place[i], 9));
 });
 
-test('a bad file is refused in a sentence with its line, and the open model stays', async ({ page }) => {
+test('files that are refused, each in a sentence, with the open model as it was', async ({ page }) => {
   await open(page);
-  const good = await page.evaluate(() => window.denavit.xml());
-  const model = await page.evaluate(() => JSON.stringify(window.denavit.model()));
-  await choose(page, 'my <b>arm</b>.xml', good.replace('a="431.8"', 'a="431,8"'));
-  const dialog = page.getByRole('dialog');
-  await expect(dialog).toContainText('my <b>arm</b>.xml was not opened');
-  await expect(dialog).toContainText('Puma 560 is still here, unchanged.');
-  await expect(dialog.locator('.issue-text')).toHaveText(/^Line \d+: .*431,8.*\.$/);
-  await expect(dialog.locator('.snippet .here')).toContainText('a="431,8"');
-  await dialog.getByRole('button', { name: 'Close' }).last().click();
-  await expect(dialog).toBeHidden();
-  expect(await page.evaluate(() => JSON.stringify(window.denavit.model()))).toBe(model);
-  await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
-});
-
-test('a file that is no text, and one that is too large, are refused', async ({ page }) => {
-  await open(page);
-  await choose(page, 'photo.xml', Buffer.from([0x89, 0x50, 0x4e, 0x47, 0, 255, 254]));
-  await expect(page.getByRole('dialog')).toContainText('photo.xml was not opened');
-  await page.keyboard.press('Escape');
-  await expect(page.getByRole('dialog')).toBeHidden();
-  await choose(page, 'huge.xml', Buffer.alloc(3_000_000, ' '));
-  await expect(page.getByRole('dialog')).toContainText('expected at most');
+  await test.step('a bad file is refused in a sentence with its line, and the open model stays', async () => {
+    const good = await page.evaluate(() => window.denavit.xml());
+    const model = await page.evaluate(() => JSON.stringify(window.denavit.model()));
+    await choose(page, 'my <b>arm</b>.xml', good.replace('a="431.8"', 'a="431,8"'));
+    const dialog = page.getByRole('dialog');
+    await expect(dialog).toContainText('my <b>arm</b>.xml was not opened');
+    await expect(dialog).toContainText('Puma 560 is still here, unchanged.');
+    await expect(dialog.locator('.issue-text')).toHaveText(/^Line \d+: .*431,8.*\.$/);
+    await expect(dialog.locator('.snippet .here')).toContainText('a="431,8"');
+    await dialog.getByRole('button', { name: 'Close' }).last().click();
+    await expect(dialog).toBeHidden();
+    expect(await page.evaluate(() => JSON.stringify(window.denavit.model()))).toBe(model);
+    await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
+  });
+  await test.step('a file that is no text, and one that is too large, are refused', async () => {
+    await choose(page, 'photo.xml', Buffer.from([0x89, 0x50, 0x4e, 0x47, 0, 255, 254]));
+    await expect(page.getByRole('dialog')).toContainText('photo.xml was not opened');
+    await page.keyboard.press('Escape');
+    await expect(page.getByRole('dialog')).toBeHidden();
+    await choose(page, 'huge.xml', Buffer.alloc(3_000_000, ' '));
+    await expect(page.getByRole('dialog')).toContainText('expected at most');
+  });
 });
 
 test('two recorded postures become a FANUC pair', async ({ page }) => {

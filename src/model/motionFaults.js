@@ -134,7 +134,8 @@ export function* motionProgramFaults(doc, program, path) {
       continue;
     }
     const [must, may = {}] = known;
-    yield* faultsOf(whose, where, fields, { id: NAME, ...must }, { ...may, comment: TEXT, disabled: FLAG }, doc);
+    const aside = kind === 'comment' ? { disabled: FLAG } : { comment: TEXT, disabled: FLAG };
+    yield* faultsOf(whose, where, fields, { id: NAME, ...must }, { ...may, ...aside }, doc);
     if (ids.has(fields.id)) {
       yield issue('id-taken', `${where}.id`, `Two steps of ${shown(name)} have the id ${shown(fields.id)}.`);
     }

@@ -13,6 +13,7 @@
  * @import { JogChoices } from './jogChoices.js'
  * @import { NumbersView } from './numbersView.js'
  * @import { Playback } from './player.js'
+ * @import { Recording } from './recording.js'
  * @import { Taught } from './threePoints.js'
  * @import { ToolKeeps } from './toolChange.js'
  *
@@ -57,6 +58,8 @@
  * @property {ToolKeeps} toolKeeps  what stays where it is when another tool is chosen
  * @property {NumbersView} numbers  how they are shown and copied
  * @property {Playback | null} playback  of a motion program; null: none has been played or looked at
+ * @property {string | null} step   the id of the step that is chosen, of the motion program that is shown
+ * @property {Recording} recording  what "Record here" makes of the posture
  * @property {number} edition   counts how often the document was exchanged for another (opened, undone), not edited
  *
  * @typedef {History & { readonly session: Session }} AppState
@@ -76,6 +79,7 @@ import { refusal } from './refusals.js';
 import { FIRST_HANDLE } from './handleAxes.js';
 import { fitUserFrame } from './userAxes.js';
 import { FIRST_NUMBERS, fitNumbers } from './numbersView.js';
+import { FIRST_RECORDING } from './recording.js';
 import { cancelGesture, endGesture, record, redo, stand, startHistory, undo } from './history.js';
 
 /** @type {Session} */
@@ -106,6 +110,8 @@ const FRESH = {
   toolKeeps: 'flange',
   numbers: FIRST_NUMBERS,
   playback: null,
+  step: null,
+  recording: FIRST_RECORDING,
   edition: 0,
 };
 

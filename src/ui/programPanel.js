@@ -1,23 +1,36 @@
 /**
- * The recorded postures, in the order in which a program visits them.
+ * Motion programs: recorded, put in order, edited; and, folded away, the recorded postures. Fetched when it is first opened.
  *
  * @import { Files } from './files.js'
  * @import { Page } from './page.js'
- * @import { PostureDoc, RobotDoc } from '../model/document.js'
+ * @import { StepAct } from './stepCard.js'
+ * @import { MoveStep, PoseTarget } from '../model/document.js'
+ * @import { MotionCommand, NewStep } from '../model/motionCommands.js'
  */
-import $ from 'jquery/slim';
+import { memo } from '../model/memo.js';
+import { isMove } from '../model/motionProgram.js';
+import { motionMoves, postureAt } from '../model/motionPlan.js';
+import { poseHere, postureHere, recordedStep } from '../model/newSteps.js';
+import { firstPlayback } from '../model/player.js';
+import { shownProgram } from '../model/shownProgram.js';
+import { travelBetween } from '../model/solutions.js';
 import { together } from '../model/views.js';
 import './css/program.css';
-import { fill, h, keepFocus } from './dom.js';
-import { POSTURE_CSV } from '../io/postureCsv.js';
-import { download } from './download.js';
+import './css/motionProgram.css';
+import { fill, h } from './dom.js';
 import { emptyState } from './emptyState.js';
-import { fileNameOf } from './files.js';
-import { jointNumber, unitOf, withUnit } from './format.js';
+import { foldMaker } from './fold.js';
 import { icon } from './icons.js';
-import { attempt, openPanel } from './page.js';
-import { TEXT } from './strings.js';
-import { PROGRAM } from './words/program.js';
+import { attempt } from './page.js';
+import { createPosturesList } from './posturesList.js';
+import { createProgramHead } from './programHead.js';
+import { createProgramName } from './programName.js';
+import { createStepTable } from './programTable.js';
+import { createReasons } from './reasons.js';
+import { createStepCard } from './stepCard.js';
+import { emptyPicture } from './stepText.js';
+import { travelTo } from './travel.js';
+import { POSTURES, PROGRAM } from './words/program.js';
 
 /**
  * @param {Page} page
@@ -25,202 +38,233 @@ import { PROGRAM } from './words/program.js';
  * @param {Files} files
  */
 export function createProgramPanel(page, host, files) {
-  const { store, addView, announce, clock } = page;
-  const record = recordButton();
-  record.hidden = true; // until it is known that the empty room does not offer it
-  const content = h('div', {});
-  const reasonLine = h('p', { class: 'reason sm', id: 'program-reason', role: 'note', hidden: true });
-  fill(
-    host,
-    h('div', { class: 'table-head' }, h('h2', {}, PROGRAM.title), h('span', { class: 'grow' }), record),
-    content,
-    reasonLine,
-  );
+  const { store, addView, derived, announce, clock, messages } = page;
+  const reasons = createReasons('step-reason');
+  const against = h('p', { class: 'reason sm', role: 'note', hidden: true });
 
   /** @param {string | null} reason */
-  function say(reason) {
-    reasonLine.textContent = reason ?? '';
-    reasonLine.hidden = reason === null;
+  function refuse(reason) {
+    against.textContent = reason ?? '';
+    against.hidden = reason === null;
     if (reason !== null) announce(reason);
   }
-  const postureOf = (/** @type {HTMLElement} */ { dataset }) => store.state.doc.postures[Number(dataset.index)];
 
-  $(host)
-    .on('click', '[data-action=record]', () => {
-      const reason = attempt(page, { type: 'record-posture' });
-      say(reason);
-      const added = store.state.doc.postures.at(-1);
-      if (reason === null && added) announce(PROGRAM.recorded(added.id));
-    })
-    .on('click', '[data-action=go]', ({ currentTarget }) => {
-      const { id, q } = postureOf(currentTarget);
-      store.dispatch({ type: 'set-posture', posture: q });
-      announce(PROGRAM.went(id));
-    })
-    .on('click', '[data-action=remove]', ({ currentTarget }) => {
-      const { id } = postureOf(currentTarget);
-      store.dispatch({ type: 'remove-posture', index: Number(currentTarget.dataset.index) });
-      announce(PROGRAM.removed(id));
-    })
-    .on('click', '[data-action=save]', () => {
-      const { doc } = store.state;
-      const name = `${fileNameOf(doc.robot.name)}.${POSTURE_CSV.extension}`;
-      download(name, POSTURE_CSV.write(doc), POSTURE_CSV.mediaType, clock);
-      announce(TEXT.files.saved(name));
-    })
-    .on('click', '[data-action=open]', files.choose)
-    .on('click', '[data-action=code]', () => openPanel(page, 'code'));
-
-  $(host)
-    .on('input', 'input', ({ currentTarget }) => void (currentTarget.dataset.editing = ''))
-    .on('change', 'input', ({ currentTarget }) => rename(currentTarget))
-    .on('keydown', 'input', ({ key, currentTarget }) => {
-      if (key === 'Enter') rename(currentTarget);
-      if (key !== 'Escape') return;
-      delete currentTarget.dataset.editing;
-      currentTarget.removeAttribute('aria-invalid');
-      currentTarget.value = postureOf(currentTarget).id;
-      say(null);
-    });
-
-  /** @param {HTMLInputElement} input */
-  function rename(input) {
-    delete input.dataset.editing;
-    const id = input.value.trim();
-    const isNew = id !== postureOf(input).id;
-    const reason = attempt(page, { type: 'rename-posture', index: Number(input.dataset.index), id });
-    if (reason === null) input.removeAttribute('aria-invalid');
-    else input.setAttribute('aria-invalid', 'true');
-    say(reason);
-    if (reason === null && isNew) announce(PROGRAM.renamed(id));
+  /** @param {MotionCommand} command @param {() => string} [done]  in words @returns {boolean} */
+  function carryOut(command, done) {
+    const reason = attempt(page, command);
+    refuse(reason);
+    if (reason === null && done) announce(done());
+    return reason === null;
   }
 
-  function rebuild() {
-    const { robot, postures } = store.state.doc;
-    say(null);
-    record.hidden = postures.length === 0;
-    if (postures.length === 0) {
-      fill(
-        content,
-        emptyState(
-          PROGRAM.empty,
-          PROGRAM.emptyDetail,
-          h('div', { class: 'actions' }, recordButton('btn-primary'), openButton()),
-        ),
-      );
+  const choose = (/** @type {string | null} */ step) => store.dispatch({ type: 'show', change: { step } });
+
+  /** Steps after the chosen one, or at the end; in a program that is made for them where there is none. @param {NewStep} step */
+  function insert(step) {
+    const { program, index, step: chosen } = shownProgram(store.state);
+    const at = program === null ? 0 : chosen < 0 ? program.steps.length : chosen + 1;
+    const isDone = carryOut(
+      program === null
+        ? { type: 'add-motion-program', name: PROGRAM.newName(1), steps: [step] }
+        : { type: 'insert-steps', program: index, at, steps: [step] },
+    );
+    if (!isDone) return null;
+    choose(store.state.doc.motionPrograms[program === null ? 0 : index].steps[at].id);
+    return at + 1;
+  }
+
+  function record() {
+    const { doc, session } = store.state;
+    const { program, step } = shownProgram(store.state);
+    const { recording } = session;
+    const chain = derived.chain(doc);
+    if (recording.kind === 'circular' && recording.via === null) {
+      const via = /** @type {PoseTarget} */ (poseHere(doc, chain));
+      store.dispatch({ type: 'show', change: { recording: { ...recording, via } } });
+      announce(PROGRAM.recordedVia);
       return;
     }
-    const rows = postures.map((posture, i) => row(posture, i, robot));
-    fill(
-      content,
-      h('table', { class: 'moves', 'aria-label': PROGRAM.title }, head(robot), h('tbody', {}, rows)),
-      postures.length === 1 && h('p', { class: 'soft sm inset' }, PROGRAM.one),
-      h(
-        'div',
-        { class: 'actions inset' },
-        postures.length > 1 &&
-          h('button', { type: 'button', class: 'btn btn-primary', 'data-action': 'code' }, PROGRAM.toCode),
-        h('button', { type: 'button', class: 'btn', 'data-action': 'save' }, icon('download'), PROGRAM.saveCsv),
-        openButton(),
-      ),
-    );
+    const before = program?.steps.slice(0, step < 0 ? undefined : step + 1) ?? [];
+    const number = insert(recordedStep(doc, chain, recording, before));
+    if (number === null) return;
+    if (recording.via) store.dispatch({ type: 'show', change: { recording: { ...recording, via: null } } });
+    announce(PROGRAM.recorded(number));
   }
 
-  /** A new name alone leaves every element where it is: the press that ended the typing may be on one of them. */
-  function renew() {
-    store.state.doc.postures.forEach(({ id }, i) => {
-      for (const element of content.querySelectorAll(`[data-index="${i}"]`)) nameElement(element, id, i);
+  /** @param {number} from @param {number} to */
+  function move(from, to) {
+    const { program, index } = shownProgram(store.state);
+    if (!program || to < 0 || to >= program.steps.length) return;
+    const { id } = program.steps[from];
+    if (carryOut({ type: 'move-step', program: index, step: from, to }, () => PROGRAM.done.moved(to + 1))) {
+      choose(id);
+      focusWhenDrawn(to);
+    }
+  }
+
+  /** @param {number} step */
+  function remove(step) {
+    const { program, index } = shownProgram(store.state);
+    if (!program) return;
+    const next = program.steps[step + 1] ?? program.steps[step - 1] ?? null;
+    const isDone = carryOut({ type: 'remove-steps', program: index, step, count: 1 }, () =>
+      PROGRAM.done.remove(step + 1),
+    );
+    if (!isDone) return;
+    choose(next?.id ?? null);
+    if (next) focusWhenDrawn(Math.min(step, program.steps.length - 2));
+  }
+
+  /** @param {number} step */
+  const focusWhenDrawn = (step) => clock.onFrame(() => clock.onFrame(() => table.focus(step)));
+
+  /** Where a step ends is drawn as a ghost. @param {number | null} index */
+  function look(index) {
+    const { program } = shownProgram(store.state);
+    const step = index === null ? undefined : program?.steps[index];
+    const { doc, session } = store.state;
+    const found = step && isMove(step) ? postureAt(doc, step) : null;
+    const isElsewhere =
+      found && 'posture' in found && !travelBetween(doc.robot, derived.chain(doc), doc.posture, found.posture).isHere;
+    const ghost = isElsewhere ? { posture: found.posture, label: PROGRAM.ghost((index ?? 0) + 1) } : null;
+    if (ghost || session.ghost) store.dispatch({ type: 'show', change: { ghost } });
+  }
+
+  /** @param {StepAct} act */
+  function carryOutOn(act) {
+    const { program, index, step: at } = shownProgram(store.state);
+    const step = program?.steps[at];
+    if (!program || !step) return;
+    const { doc } = store.state;
+    const edit = (/** @type {object} */ change, /** @type {string} */ done) =>
+      carryOut({ type: 'edit-step', program: index, step: at, to: { ...step, ...change } }, () => done);
+    if (act === 'go' && isMove(step)) go(step, at + 1);
+    else if (act === 'again' && isMove(step)) {
+      const isPosture = step.target.kind === 'posture' || (step.kind === 'joint' && step.target.kind !== 'pose');
+      const target = isPosture ? postureHere(doc) : poseHere(doc, derived.chain(doc));
+      const frame = isPosture ? {} : { frame: doc.activeUser };
+      edit({ target, ...frame }, PROGRAM.done.again(at + 1));
+    } else if (act === 'duplicate') {
+      if (
+        carryOut({ type: 'insert-steps', program: index, at: at + 1, steps: [step] }, () =>
+          PROGRAM.done.duplicate(at + 1),
+        )
+      )
+        choose(store.state.doc.motionPrograms[index].steps[at + 1].id);
+    } else if (act === 'disable') {
+      const isOff = step.disabled === true;
+      edit({ disabled: isOff ? undefined : true }, PROGRAM.done[isOff ? 'enable' : 'disable'](at + 1));
+    } else if (act === 'remove') remove(at);
+  }
+
+  /** @param {MoveStep} step @param {number} number */
+  function go(step, number) {
+    const found = postureAt(store.state.doc, step);
+    if ('message' in found) return refuse(found.message);
+    refuse(null);
+    travelTo(page, found.posture);
+    announce(PROGRAM.went(number));
+  }
+
+  /** @param {string} id */
+  function chooseProgram(id) {
+    const { doc, session } = store.state;
+    store.dispatch({
+      type: 'show',
+      change: { playback: firstPlayback(id, doc.posture, session.playback), step: null },
     });
   }
 
-  /** @type {readonly PostureDoc[]} */
-  let shown = [];
-  let shape = '';
-  addView(
-    together(({ doc, session }) => [doc.postures, doc.robot.units, kindsOf(doc.robot), session.edition]),
-    ([postures, units, kinds, edition]) => {
-      const wanted = [units.length, units.angle, kinds, edition].join();
-      const isSame = wanted === shape && postures.length === shown.length && postures.length > 0;
-      if (isSame && postures.every(({ q }, i) => q === shown[i].q)) renew();
-      else keepFocus(host, '[data-action=record]', rebuild);
-      [shown, shape] = [postures, wanted];
+  const head = createProgramHead(page, {
+    record,
+    add(step) {
+      const number = insert(step);
+      if (number !== null) announce(PROGRAM.added(number));
+    },
+    choose: chooseProgram,
+    rename: () => name.focus(),
+    say: announce,
+    refuse,
+  });
+  const table = createStepTable(page, reasons, {
+    choose(index) {
+      const id = shownProgram(store.state).program?.steps[index]?.id ?? null;
+      if (id !== store.state.session.step) choose(id);
+    },
+    look,
+    move,
+    remove,
+  });
+  const card = createStepCard(page, reasons, carryOutOn);
+  const name = createProgramName(page, reasons);
+  const recordFirst = h(
+    'button',
+    { type: 'button', class: 'btn btn-primary', 'data-action': 'record' },
+    icon('record'),
+    PROGRAM.record,
+  );
+  recordFirst.addEventListener('click', record);
+  const empty = emptyState(
+    PROGRAM.empty,
+    PROGRAM.emptyDetail,
+    h('div', { class: 'actions' }, recordFirst, head.examples),
+  );
+
+  empty.prepend(emptyPicture());
+
+  const fold = foldMaker(clock, messages.fault)('postures', async (body) => createPosturesList(page, body, files));
+  fold.element.classList.add('postures');
+  fill(host, head.element, table.element, against, reasons.element, name.element, card.element, empty, fold.element);
+  if (store.state.doc.postures.length > 0) fold.set(true);
+
+  /** What cannot be a move is marked where it stands. Where the arm is decides nothing of it. */
+  const faultsOf = memo(
+    /** @param {unknown} _robot @param {unknown} _frames @param {unknown} _targets @param {unknown} programs @param {number} index */
+    (_robot, _frames, _targets, programs, index) => {
+      const { doc } = store.state;
+      const program = programs === doc.motionPrograms ? doc.motionPrograms[index] : undefined;
+      const { issues } = program ? motionMoves(doc, program) : { issues: [] };
+      return new Map(issues.map(({ step, message }) => [step, message]));
     },
   );
-}
 
-/** @param {RobotDoc} robot */
-const kindsOf = ({ joints }) => joints.map(({ type }) => type).join(' ');
-
-/** @param {'btn-outline' | 'btn-primary'} [look] */
-const recordButton = (look = 'btn-outline') =>
-  h('button', { type: 'button', class: `btn ${look}`, 'data-action': 'record' }, icon('record'), PROGRAM.record);
-
-const openButton = () =>
-  h(
-    'button',
-    { type: 'button', class: 'btn', 'data-action': 'open', title: PROGRAM.openCsvTitle },
-    icon('folder'),
-    PROGRAM.openCsv,
+  addView(
+    together(({ doc, session }) => [
+      doc.robot,
+      doc.frames,
+      doc.targets,
+      doc.motionPrograms,
+      doc.postures,
+      session.step,
+      session.recording,
+      session.playback?.program,
+    ]),
+    () => {
+      const { doc } = store.state;
+      const { program, index, step } = shownProgram(store.state);
+      const isEmpty = program === null || program.steps.length === 0;
+      const faults = faultsOf(doc.robot, doc.frames, doc.targets, doc.motionPrograms, index);
+      head.draw();
+      empty.hidden = !isEmpty;
+      table.element.hidden = isEmpty;
+      if (program) table.draw(doc, index, step, faults);
+      card.draw(doc, index, step);
+      name.draw(program, index, step < 0 && !isEmpty);
+      const [fault] = faults.values();
+      if (fault !== undefined) refuse(null);
+      fill(issue, fault ?? '');
+      issue.hidden = fault === undefined;
+      fold.setHead(POSTURES.title, POSTURES.count(doc.postures.length));
+    },
   );
-
-/** @param {RobotDoc} robot */
-function head({ joints, units }) {
-  const used = [...new Set(joints.map((joint) => unitOf(joint, units)))].join(', ');
-  const { name, values } = PROGRAM.heads;
-  return h(
-    'thead',
-    {},
-    h(
-      'tr',
-      {},
-      h('td'),
-      h('th', { scope: 'col' }, name),
-      h('th', { scope: 'col' }, values, ' ', h('span', { class: 'unit' }, used)),
-      h('td'),
-    ),
-  );
-}
-
-/** What a control of a row is called, by the posture's name. @param {Element} element @param {string} id @param {number} index */
-function nameElement(element, id, index) {
-  if (element instanceof HTMLInputElement) {
-    if (!('editing' in element.dataset)) element.value = element.title = id;
-    element.setAttribute('aria-label', PROGRAM.name(index + 1));
-    return;
-  }
-  const label = element.getAttribute('data-action') === 'go' ? PROGRAM.go(id) : PROGRAM.remove(id);
-  element.setAttribute('aria-label', label);
-  element.setAttribute('title', label);
-}
-
-/** @param {PostureDoc} posture @param {number} index @param {RobotDoc} robot */
-function row({ id, q }, index, { joints, units }) {
-  const numbers = joints.map((joint, i) => jointNumber(q[i], unitOf(joint, units)));
-  const inWords = joints.map((joint, i) => withUnit(numbers[i], unitOf(joint, units))).join(', ');
-  const field = h('input', {
-    class: 'name-field',
-    ...{ 'data-action': 'name', 'data-index': index, 'aria-describedby': 'program-reason' },
-    ...{ autocomplete: 'off', spellcheck: 'false', maxlength: 64 },
-  });
-  const button = (/** @type {'go' | 'remove'} */ action) =>
-    h(
-      'button',
-      { type: 'button', class: 'btn btn-icon', 'data-action': action, 'data-index': index },
-      icon(action === 'go' ? 'target' : 'trash'),
-    );
-  const controls = [field, button('go'), button('remove')];
-  for (const control of controls) nameElement(control, id, index);
-  const values = h(
-    'div',
-    { class: 'values' },
-    numbers.map((number) => h('span', {}, number)),
-  );
-  return h(
-    'tr',
-    {},
-    h('td', {}, String(index + 1)),
-    h('td', {}, field),
-    h('td', { class: 'soft', title: inWords }, values),
-    h('td', {}, controls.slice(1)),
+  const issue = h('p', { class: 'reason sm', role: 'note', hidden: true });
+  table.element.after(issue);
+  addView(
+    ({ session }) => session.edition,
+    () => {
+      table.forget();
+      card.forget();
+      refuse(null);
+    },
   );
 }

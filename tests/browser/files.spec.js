@@ -1,7 +1,7 @@
 /** Files and code: what leaves the page, and what may come in. */
 import { readFile } from 'node:fs/promises';
 import { expect, test } from '@playwright/test';
-import { open, settled, tool } from './page.js';
+import { open, openPostures, settled, tool } from './page.js';
 
 /** @param {import('@playwright/test').Page} page @param {string} name @param {string | Buffer} content */
 const choose = (page, name, content) =>
@@ -27,8 +27,8 @@ test('a model is saved, opened on a fresh page, and saved again as the same byte
   await page.getByLabel('Joint 2, link length a, millimetres').fill('440.5');
   await page.keyboard.press('Enter');
   await page.evaluate(() => window.denavit.setJoints([12.5, 30, -150, 7, 33.25, -8]));
-  await page.getByRole('tab', { name: 'Program' }).click();
-  await page.getByRole('button', { name: 'Record here' }).click();
+  await openPostures(page);
+  await page.getByRole('button', { name: 'Keep this posture' }).click();
   const first = await save(page);
   expect(first.name).toBe('Puma-560.xml');
   const place = await tool(page);
@@ -104,10 +104,10 @@ test('files that are refused, each in a sentence, with the open model as it was'
 
 test('two recorded postures become a FANUC pair', async ({ page }) => {
   await open(page);
-  await page.getByRole('tab', { name: 'Program' }).click();
-  await page.getByRole('button', { name: 'Record here' }).click();
+  await openPostures(page);
+  await page.getByRole('button', { name: 'Keep this posture' }).click();
   await page.evaluate(() => window.denavit.setJoints([-30, 60, -170, 20, 40, 10]));
-  await page.getByRole('button', { name: 'Record here' }).click();
+  await page.getByRole('button', { name: 'Keep this posture' }).click();
   await page.getByLabel('Name of posture 2').fill('pick');
   await page.keyboard.press('Enter');
   await page.getByRole('button', { name: 'See the controller code' }).click();
@@ -131,12 +131,12 @@ test('two recorded postures become a FANUC pair', async ({ page }) => {
 
 test('postures are renamed, gone to and deleted; a name that is taken is refused', async ({ page }) => {
   await open(page);
-  await page.getByRole('tab', { name: 'Program' }).click();
+  await openPostures(page);
   await expect(page.getByText('Nothing recorded yet')).toBeVisible();
-  await page.getByRole('button', { name: 'Record here' }).click();
+  await page.getByRole('button', { name: 'Keep this posture' }).click();
   const home = await page.evaluate(() => window.denavit.joints());
   await page.evaluate(() => window.denavit.setJoints([1, 2, 3, 4, 5, 6]));
-  await page.getByRole('button', { name: 'Record here' }).click();
+  await page.getByRole('button', { name: 'Keep this posture' }).click();
   await page.getByLabel('Name of posture 2').fill('p1');
   await page.keyboard.press('Enter');
   await expect(page.locator('#program-reason')).toHaveText('Another posture is called "p1" already.');
@@ -160,8 +160,8 @@ test('of two documents on their way the one asked for last wins', async ({ page 
 
 test('a press that ends the typing of a name is not lost', async ({ page }) => {
   await open(page);
-  await page.getByRole('tab', { name: 'Program' }).click();
-  for (let i = 0; i < 2; i++) await page.getByRole('button', { name: 'Record here' }).click();
+  await openPostures(page);
+  for (let i = 0; i < 2; i++) await page.getByRole('button', { name: 'Keep this posture' }).click();
   await page.getByLabel('Name of posture 1').fill('home');
   const button = page.getByRole('button', { name: 'See the controller code' });
   await button.hover();

@@ -20,6 +20,12 @@ export async function open(page, query = '') {
   await page.evaluate(() => window.denavit.ready);
 }
 
+/** The recorded postures, which are folded away in the Program panel. @param {Page} page */
+export async function openPostures(page) {
+  await page.getByRole('tab', { name: 'Program' }).click();
+  await page.getByRole('button', { name: /^Recorded postures/ }).click();
+}
+
 /**
  * The scene's pixels, once two looks in a row see the same: a slow machine shows a frame a while after it was drawn.
  * @param {Page} page

@@ -3,7 +3,7 @@ import { readFile } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
 import { expect, test } from '@playwright/test';
 import { PNG } from 'pngjs';
-import { open, tool } from './page.js';
+import { open, openPostures, tool } from './page.js';
 
 const fixture = (/** @type {string} */ name) => fileURLToPath(new URL(`../fixtures/${name}`, import.meta.url));
 
@@ -182,8 +182,8 @@ test('what a format does not hold is listed before it is saved; postures leave a
   page,
 }) => {
   await open(page, 'robot=planar2r');
-  await page.getByRole('tab', { name: 'Program' }).click();
-  await page.getByRole('button', { name: 'Record here' }).click();
+  await openPostures(page);
+  await page.getByRole('button', { name: 'Keep this posture' }).click();
   const saveAs = async () => {
     await page.getByRole('button', { name: 'File' }).click();
     await page.getByRole('button', { name: /^Save as…/ }).click();

@@ -17,7 +17,7 @@
 import { homePosture, limitsOf } from '../model/document.js';
 import { shownText } from '../model/shownText.js';
 import { fileIssue } from './fileIssues.js';
-import { FAR } from './placeholders.js';
+import { FAR, PLACEHOLDERS } from './placeholders.js';
 import { forbiddenCharacterAt } from './xmlText.js';
 
 /** How many names a sentence lists before it counts. */
@@ -203,6 +203,18 @@ export const oneSided = (format, joints, areWritten) =>
     (those) => `${format} asks for both limits; at least ${FAR} (rad or m) stands for what is missing of ${those}.`,
     'placeholder',
   );
+
+/**
+ * Masses, of which a kinematic model has none.
+ * @param {string} format
+ * @param {number} links
+ * @returns {Issue}
+ */
+export function massPlaceholder(format, links) {
+  const { mass, inertia } = PLACEHOLDERS;
+  const message = `${format} asks for masses and inertias; ${mass} kg and ${inertia} kg m² stand for those of ${links} links.`;
+  return fileIssue('placeholder', message, { path: 'robot.joints' });
+}
 
 /**
  * A character that no XML file can hold.

@@ -3,11 +3,9 @@
  * the file and before it is saved.
  *
  * @import { JointDoc, Units } from '../model/document.js'
- * @import { Issue } from '../model/issues.js'
  */
 import { limitsOf, quantityOf } from '../model/document.js';
 import { toKernel } from '../model/units.js';
-import { fileIssue } from './fileIssues.js';
 
 /** kg and kg m², N m or N, rad/s or m/s. */
 export const PLACEHOLDERS = Object.freeze({ mass: 1, inertia: 0.01, effort: 1000, velocity: 1 });
@@ -28,15 +26,4 @@ export function bothLimits(joint, units) {
     lower: lower === -Infinity ? Math.min(0, upper) - FAR : lower,
     upper: upper === Infinity ? Math.max(0, lower) + FAR : upper,
   };
-}
-
-/**
- * @param {string} format
- * @param {number} links
- * @returns {Issue}
- */
-export function massPlaceholder(format, links) {
-  const { mass, inertia } = PLACEHOLDERS;
-  const message = `${format} asks for masses and inertias; ${mass} kg and ${inertia} kg m² stand for those of ${links} links.`;
-  return fileIssue('placeholder', message, { path: 'robot.joints' });
 }

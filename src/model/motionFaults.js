@@ -134,6 +134,7 @@ export function* motionProgramFaults(doc, program, path) {
       continue;
     }
     const [must, may = {}] = known;
+    /** @type {Record<string, Rule>} */
     const aside = kind === 'comment' ? { disabled: FLAG } : { comment: TEXT, disabled: FLAG };
     yield* faultsOf(whose, where, fields, { id: NAME, ...must }, { ...may, ...aside }, doc);
     if (ids.has(fields.id)) {

@@ -4,8 +4,7 @@
  * @import { Doc } from '../../model/document.js'
  * @import { Issue } from '../../model/issues.js'
  */
-import { characterLosses, lossesIn, nameLosses, ofJoints, oneSided, unusedLimits } from '../losses.js';
-import { massPlaceholder } from '../placeholders.js';
+import { characterLosses, lossesIn, massPlaceholder, nameLosses, ofJoints, oneSided, unusedLimits } from '../losses.js';
 import { mjcfNames, rangeOf, ROOM } from './mjcfWriter.js';
 
 const FORMAT = 'MJCF';

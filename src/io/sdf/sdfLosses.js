@@ -4,8 +4,7 @@
  * @import { Doc } from '../../model/document.js'
  * @import { Issue } from '../../model/issues.js'
  */
-import { lossesIn, nameLosses, unusedLimits } from '../losses.js';
-import { massPlaceholder } from '../placeholders.js';
+import { lossesIn, massPlaceholder, nameLosses, unusedLimits } from '../losses.js';
 import { sdfNames } from './sdfWriter.js';
 
 const FORMAT = 'SDFormat';

@@ -4,8 +4,8 @@
  * @import { Doc } from '../../model/document.js'
  * @import { Issue } from '../../model/issues.js'
  */
-import { lossesIn, nameLosses, ofJoints, oneSided, unusedLimits } from '../losses.js';
-import { massPlaceholder, PLACEHOLDERS } from '../placeholders.js';
+import { lossesIn, massPlaceholder, nameLosses, ofJoints, oneSided, unusedLimits } from '../losses.js';
+import { PLACEHOLDERS } from '../placeholders.js';
 import { urdfNames, urdfTypeOf } from './urdfWriter.js';
 
 const FORMAT = 'URDF';

@@ -12,7 +12,7 @@ import { validateDocument } from '../../../src/model/validate.js';
 const manner = /** @type {const} */ ({ acceleration: 100, ending: { kind: 'fine' } });
 /** @param {import('../../../src/model/document.js').StepTarget} target @returns {NewStep} */
 const joint = (target) => ({ kind: 'joint', target, speed: 50, speedUnit: '%', ...manner });
-/** @param {import('../../../src/model/document.js').StepTarget} target @returns {NewStep} */
+/** @param {import('../../../src/model/document.js').StepTarget} target @returns {Omit<import('../../../src/model/document.js').MoveStep, 'id'>} */
 const line = (target) => ({ kind: 'linear', target, speed: 250, speedUnit: 'length/s', ...manner });
 const here = /** @type {const} */ ({ kind: 'posture', values: [10, 20] });
 

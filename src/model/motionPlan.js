@@ -10,7 +10,7 @@
  * @import { Doc, JointDoc, MotionProgramDoc, MoveStep, StepDoc, StepTarget, TargetDoc } from './document.js'
  * @import { Issue } from './issues.js'
  * @import { Chain } from '../kinematics/chain.js'
- * @import { Ending, JointLimits, JointMove, Move, ToolMoveBase } from '../motion/plan.js'
+ * @import { Ending, JointLimits, JointMove, Move, ToolMoveBase } from '../motion/moves.js'
  *
  * @typedef {object} Assumption   joints: their indices, from 0; steps: theirs, from 0
  * @property {'joint-rate' | 'joint-acceleration' | 'tool-turn' | 'tool-speed' | 'tool-acceleration' | 'input' | 'call'} what

@@ -85,7 +85,7 @@ describe('moves', () => {
       { ...line({ ...place, xyz: [0, -150.05, 300] }), frame: 'table', tool: 'pen' },
     );
     const { moves } = movesOf(doc);
-    const [a, b] = /** @type {import('../../../src/motion/plan.js').LinearMove[]} */ (/** @type {unknown} */ (moves));
+    const [a, b] = /** @type {import('../../../src/motion/moves.js').LinearMove[]} */ (/** @type {unknown} */ (moves));
     expect([...b.T_base_tcp]).toEqual([...a.T_base_tcp]);
     expect(a.chain).toBeUndefined();
     expect(b.chain?.tool?.[14]).toBeCloseTo(0.1, 14);

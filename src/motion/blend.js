@@ -35,8 +35,14 @@ export function zoneOf(before, after, ending) {
     case 'fine':
       return 0;
     case 'share':
-      return Math.min(1, Math.max(0, ending.share)) * most;
+      if (!(ending.share >= 0 && ending.share <= 1)) {
+        throw new RangeError(`ending.share: expected a share from 0 to 1, got ${ending.share}.`);
+      }
+      return ending.share * most;
     case 'distance':
+      if (!(ending.distance >= 0 && ending.distance < Infinity)) {
+        throw new RangeError(`ending.distance: expected 0 or more metres, got ${ending.distance}.`);
+      }
       return Math.min(
         most,
         farAs(before, ending.distance, true) * before.length,
@@ -57,7 +63,7 @@ export function zoneOf(before, after, ending) {
  * @param {boolean} isBefore   whether the corner is where it ends
  */
 function farAs(way, distance, isBefore) {
-  if (!(distance > 0)) return 0;
+  if (distance === 0) return 0;
   const T = new Float64Array(16);
   const placeAt = (/** @type {number} */ fromCorner) => {
     const share = isBefore ? 1 - fromCorner : fromCorner;

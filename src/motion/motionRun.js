@@ -60,7 +60,7 @@ export function timeRun(stretches, limits) {
     return {
       move: each,
       path: joined(own.map((stretch) => stretch.path)),
-      law: laws(law, from, to),
+      law: lawBetween(law, from, to),
       slowed: inShares(slowed, from, to),
       timing: own[0].way.law === 'timeOptimal' ? 'timeOptimal' : 'trapezoid',
     };
@@ -76,7 +76,7 @@ const sectionOf = ({ way: { law, acceleration, share }, ceiling, to }) => ({
 });
 
 /** What of a law is between two places that its pieces end at. @param {TimeLaw} law @param {number} from @param {number} to */
-function laws({ pieces }, from, to) {
+function lawBetween({ pieces }, from, to) {
   const margin = NOTHING * (to - from);
   return timeLaw(
     from,

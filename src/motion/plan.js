@@ -28,7 +28,7 @@
  * @property {NotBlended | null} notBlended   why it stops though it was to end in a zone
  *
  * @typedef {'last' | 'wait' | 'still' | 'short' | PathRefusal['reason']} NotBlended
- *   last: no move follows. wait: one does. still: one of both has no way to go. short: the zone would have no length. The
+ *   last: no move follows, or one that is refused. wait: a wait follows. still: one of both has no way to go. short: the zone would have no length. The
  *   others: the postures of the zone, as of a path that is refused
  *
  * @typedef {object} MotionRefusal
@@ -67,9 +67,11 @@ const LEAST_ZONE = 1e-6;
  */
 export function planMotion(chain, start, moves, limits, { onMove } = {}) {
   requirePosture(chain.dof, start);
-  for (const [name, values] of Object.entries(limits)) {
-    requirePosture(chain.dof, values);
-    for (const value of values) requirePositive(`each of limits.${name}`, value);
+  for (const name of /** @type {const} */ (['rates', 'accelerations', 'jerks'])) {
+    const values = limits[name];
+    if (values === undefined && name === 'jerks') continue;
+    requirePosture(chain.dof, /** @type {Float64Array} */ (values));
+    for (const value of values ?? []) requirePositive(`each of limits.${name}`, value);
   }
   /** @type {MotionPart[]} */
   const parts = [];

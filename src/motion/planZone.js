@@ -12,7 +12,7 @@ import { followPath } from './followPath.js';
 import { createSpan, writeHermite, writeSpan } from './hermite.js';
 import { TERMS, measuredBy, pathMomentAt } from './posturePath.js';
 
-/** What the second derivative of 3λ² − 2λ³ … that is, how fast one rate goes over into the other, at most. */
+/** How fast one rate goes over into the other at most: the slope of 3λ² − 2λ³. */
 const STEEPEST = 3 / 2;
 
 /**

@@ -132,6 +132,10 @@ describe('zones', () => {
     expect(why(first, { kind: 'wait', seconds: 1 }, second)).toEqual(['wait', null, 'last']);
     expect(why(first, first, second)).toEqual(['still', 'still', 'last']);
     expect(why(lines({ kind: 'distance', distance: 0 })[0], second)).toEqual(['short', 'last']);
+    expect(() => why(...lines({ kind: 'share', share: 2 }))).toThrow(
+      'ending.share: expected a share from 0 to 1, got 2.',
+    );
+    expect(() => why(...lines({ kind: 'distance', distance: -1 }))).toThrow('ending.distance: expected 0 or more');
   });
   test('a move that leads into one that is refused stops at its end', () => {
     const [first] = lines({ kind: 'distance', distance: 0.02 });

@@ -147,7 +147,7 @@ function createRow(page, reasons, first, index, now, program) {
       name,
       spoken(`${index + 1}, ${PROGRAM.kindOf[step.kind]}, `),
       h('b', {}, isNamed ? comment : text),
-      comment && [' ', h('span', { class: 'soft sm' }, isNamed ? text : comment)],
+      comment && !isNamed && [' ', h('span', { class: 'soft sm' }, comment)],
       step.disabled && spoken(`, ${PROGRAM.disabled}`),
       fault !== null && spoken(`, ${fault}`),
     );

@@ -10,7 +10,7 @@ import { svg } from './svg.js';
 import { PROGRAM } from './words/program.js';
 
 const WIDEST_JOINT = 4;
-const WIDEST_PLACE = 6;
+const WIDEST_PLACE = 4;
 const WIDEST_END = 5;
 
 /** What a step does, in the table. @param {Doc} doc @param {StepDoc} step @returns {string} */

@@ -79,7 +79,8 @@ function tableLosses({ format, table }, { robot: { joints, convention, units } }
 
 /** What stands beside the robot. @param {Room} room @param {Doc} doc @returns {Issue[]} */
 function contentLosses({ format, info }, doc) {
-  const { robot, posture, postures, frames, activeTool, targets, motionPrograms, programs, extensions } = doc;
+  const { robot, posture, postures, frames, activeTool, targets, obstacles, motionPrograms, programs, extensions } =
+    doc;
   const noPlace = (/** @type {string} */ what, /** @type {string} */ path) =>
     fileIssue('not-kept', `${format} has no place for ${what}.`, { path });
   const home = homePosture({ ...robot, joints: robot.joints.map((joint) => ({ ...joint, home: undefined })) });
@@ -97,6 +98,7 @@ function contentLosses({ format, info }, doc) {
     issues.push(noPlace(`the name of the active tool, ${shownText(activeTool)}; its pose is kept`, 'activeTool'));
   }
   if (targets.length > 0) issues.push(noPlace(named(targets, 'target'), 'targets'));
+  if (obstacles.length > 0) issues.push(noPlace(named(obstacles, 'obstacle'), 'obstacles'));
   if (motionPrograms.length > 0) {
     const names = motionPrograms.map(({ name }) => ({ id: name }));
     issues.push(noPlace(named(names, 'motion program'), 'motionPrograms'));

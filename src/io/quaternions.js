@@ -14,11 +14,12 @@ const ROUNDED = 1e-3 + 1e-9;
  * @param {Doc} doc  not frozen yet; its quaternions are replaced
  * @returns {Issue[]}
  */
-export const roundQuaternions = ({ robot, frames, targets }) => [
+export const roundQuaternions = ({ robot, frames, targets, obstacles }) => [
   ...rounded('The base', 'robot.base', robot.base),
   ...rounded('The tool', 'robot.tool', robot.tool),
   ...frames.flatMap((frame, i) => rounded(`Frame "${frame.id}"`, `frames.${i}`, frame)),
   ...targets.flatMap((target, i) => rounded(`Target "${target.id}"`, `targets.${i}`, target)),
+  ...obstacles.flatMap((one, i) => rounded(`Obstacle "${one.id}"`, `obstacles.${i}`, one)),
 ];
 
 /** @param {string} owner @param {string} path @param {PoseDoc} pose @returns {Issue[]} */

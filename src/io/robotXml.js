@@ -79,7 +79,7 @@ function readDocument(root) {
 /** @param {PlainRecord} file  as the table describes it @returns {Doc} */
 function documentFrom(file) {
   // What the table reads is a document but for the posture; validateDocument has the last word on it.
-  const { robot, postures, frames, activeTool, activeUser, targets, motionPrograms, programs, extensions } =
+  const { robot, postures, frames, activeTool, activeUser, targets, obstacles, motionPrograms, programs, extensions } =
     /** @type {Omit<Doc, 'posture'>} */ (/** @type {unknown} */ (file));
   const { name, info, units, convention, base, tool, joints } = robot;
   return {
@@ -90,6 +90,7 @@ function documentFrom(file) {
     ...(activeTool !== undefined && { activeTool }),
     ...(activeUser !== undefined && { activeUser }),
     targets,
+    obstacles,
     motionPrograms,
     programs,
     extensions,

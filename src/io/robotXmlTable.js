@@ -34,6 +34,7 @@
  */
 import { identityPose, MAX_JOINTS, MAX_POSTURES, MIN_JOINTS } from '../model/document.js';
 import * as rules from '../model/documentRules.js';
+import { OBSTACLE_SIZES } from '../model/obstacles.js';
 import * as types from './valueTypes.js';
 
 export const ROBOT_NAMESPACE = 'urn:denavit:robot-model:1';
@@ -133,6 +134,20 @@ const TARGET = element('target', {
   max: rules.MAX_TARGETS,
   attributes: [required('id', types.ID), optional('frame', types.ID), optional('configuration', LABEL), ...POSE],
 });
+
+/** @param {keyof typeof OBSTACLE_SIZES} kind */
+const obstacleElement = (kind) =>
+  element(kind, {
+    list: 'obstacles',
+    noun: 'obstacle',
+    max: rules.MAX_OBSTACLES,
+    constants: { kind },
+    attributes: [
+      required('id', types.ID),
+      ...OBSTACLE_SIZES[kind].map((size) => required(size, types.POSITIVE)),
+      ...POSE,
+    ],
+  });
 
 const POSTURE = element('posture', {
   list: 'postures',
@@ -235,6 +250,16 @@ export const ROBOT_MODEL = element('robotModel', {
       ],
     }),
     element('targets', { order: 'sequence', children: [TARGET] }),
+    element('obstacles', {
+      order: 'choice',
+      maxChildren: rules.MAX_OBSTACLES,
+      children: [
+        obstacleElement('box'),
+        obstacleElement('sphere'),
+        obstacleElement('cylinder'),
+        obstacleElement('plane'),
+      ],
+    }),
     element('postures', { order: 'sequence', children: [POSTURE] }),
     element('configurations', {
       olderNameOf: 'postures',

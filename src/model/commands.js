@@ -9,6 +9,7 @@
  * @import { FrameCommand } from './frameCommands.js'
  * @import { JointCommand } from './jointCommands.js'
  * @import { MotionCommand } from './motionCommands.js'
+ * @import { ObstacleCommand } from './obstacles.js'
  * @import { PostureCommand } from './postureCommand.js'
  * @import { RobotCommand } from './robotCommands.js'
  * @import { TableCommand } from './tableCommand.js'
@@ -31,6 +32,7 @@
  *   | FrameCommand
  *   | MotionCommand
  *   | ControllerCommand
+ *   | ObstacleCommand
  *   | RobotCommand} Command
  *
  * Converting keeps the robot and changes the numbers; reinterpreting keeps the numbers and changes the robot.
@@ -41,6 +43,7 @@ import { convertUnits } from './convertUnits.js';
 import { applyFrameCommand } from './frameCommands.js';
 import { applyJointCommand } from './jointCommands.js';
 import { applyMotionCommand } from './motionCommands.js';
+import { applyObstacleCommand } from './obstacles.js';
 import { applyPostureCommand } from './postureCommand.js';
 import { applyRobotCommand } from './robotCommands.js';
 import { textOf, withField } from './jointFields.js';
@@ -123,6 +126,11 @@ export function applyCommand(doc, command) {
       return applyMotionCommand(doc, command);
     case 'set-controller':
       return applyControllerCommand(doc, command);
+    case 'add-obstacle':
+    case 'rename-obstacle':
+    case 'edit-obstacle':
+    case 'remove-obstacle':
+      return applyObstacleCommand(doc, command);
     case 'set-base':
     case 'set-tool':
     case 'set-link':

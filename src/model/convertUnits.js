@@ -2,13 +2,15 @@
  * The same robot in other units: every number of the document converts, none is merely relabelled. Left as they are: what
  * has no unit of the document (quaternions, efforts, couplings), controller programs, and foreign elements.
  *
- * @import { DhField, Doc, FrameDoc, JointDoc, MoveStep, PoseDoc, PoseTarget, TargetDoc, Units } from './document.js'
+ * @import { DhField, Doc, FrameDoc, JointDoc, MoveStep, ObstacleDoc, PoseDoc, PoseTarget, TargetDoc, Units } from './document.js'
+ * @import { ObstacleSize } from './obstacles.js'
  * @typedef {'length' | 'angle'} Quantity
  * @typedef {(quantity: Quantity, value: number) => number} Convert
  */
 import { DH_FIELDS, quantityOf } from './document.js';
 import { LARGEST_NUMBER } from './documentRules.js';
 import { withMoves, withTargets } from './motionProgram.js';
+import { OBSTACLE_SIZES } from './obstacles.js';
 import { commonAngle, convertAngle, convertLength } from './units.js';
 
 const LIMITS = /** @type {const} */ (['lower', 'upper', 'home']);
@@ -78,12 +80,13 @@ function inUnits(doc, { length, angle }, convert) {
     postures: doc.postures.map((posture) => ({ ...posture, q: values(posture.q) })),
     frames: doc.frames.map((frame) => convertPose(frame, convert)),
     targets: doc.targets.map((target) => convertPose(target, convert)),
+    obstacles: doc.obstacles.map((obstacle) => convertObstacle(obstacle, convert)),
     motionPrograms: withMoves(doc.motionPrograms, (move) => convertMove(move, convert, values)),
   };
 }
 
 /**
- * @template {PoseDoc | FrameDoc | TargetDoc | PoseTarget} Pose
+ * @template {PoseDoc | FrameDoc | TargetDoc | ObstacleDoc | PoseTarget} Pose
  * @param {Pose} pose
  * @param {Convert} convert
  * @returns {Pose}
@@ -91,6 +94,13 @@ function inUnits(doc, { length, angle }, convert) {
 function convertPose(pose, convert) {
   const xyz = pose.xyz.map((value) => convert('length', value));
   return { ...pose, xyz, ...(pose.rpy && { rpy: pose.rpy.map((value) => convert('angle', value)) }) };
+}
+
+/** @param {ObstacleDoc} obstacle @param {Convert} convert @returns {ObstacleDoc} */
+function convertObstacle(obstacle, convert) {
+  /** @type {ObstacleDoc & Partial<Record<ObstacleSize, number>>} */
+  const there = convertPose(obstacle, convert);
+  return converted(there, OBSTACLE_SIZES[obstacle.kind], () => 'length', convert);
 }
 
 /**

@@ -67,6 +67,11 @@
  *   frame seen from the world, a tool seen from the flange; numbered as UFRAME and UTOOL, or BASE_DATA and TOOL_DATA
  * @typedef {PoseDoc & { readonly id: string, readonly frame?: string, readonly configuration?: string }} TargetDoc  a named pose
  *   of the tool, seen from the world, or from the user frame whose id it names
+ * @typedef {PoseDoc & { readonly kind: 'box', readonly id: string, readonly width: number, readonly depth: number, readonly height: number }} BoxDoc
+ * @typedef {PoseDoc & { readonly kind: 'sphere', readonly id: string, readonly radius: number }} SphereDoc
+ * @typedef {PoseDoc & { readonly kind: 'cylinder', readonly id: string, readonly radius: number, readonly height: number }} CylinderDoc
+ * @typedef {PoseDoc & { readonly kind: 'plane', readonly id: string }} PlaneDoc
+ * @typedef {BoxDoc | SphereDoc | CylinderDoc | PlaneDoc} ObstacleDoc  what the arm is to keep clear of, seen from the world (obstacles.js)
  * @typedef {{ readonly id: string, readonly language: 'karel' | 'fanuc-tp' | 'krl', readonly text: string }} ProgramDoc
  *
  * Motion programs are lists of moves and of what is done between them, in no controller's language. A step keeps what a
@@ -120,6 +125,7 @@
  * @property {string} [activeTool]                    the id of the tool that `robot.tool` is; absent: of none in the list
  * @property {string} [activeUser]                    the id of a user frame; absent: the world
  * @property {readonly TargetDoc[]} targets           named, in the order of their list
+ * @property {readonly ObstacleDoc[]} obstacles       in the order of their list, ids unique
  * @property {readonly MotionProgramDoc[]} motionPrograms  in the order of their list
  * @property {readonly ProgramDoc[]} programs         kept; not yet used here
  * @property {readonly string[]} extensions           foreign XML elements of the file it came from, as text

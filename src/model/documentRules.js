@@ -18,6 +18,7 @@ export const MAX_LABEL_LENGTH = 200;
 export const MAX_DESCRIPTION_LENGTH = 10_000;
 export const MAX_FRAMES = 100;
 export const MAX_TARGETS = 200;
+export const MAX_OBSTACLES = 100;
 export const MAX_PROGRAMS = 20;
 export const MAX_MOTION_PROGRAMS = 20;
 /** Of all motion programs together: each step is an element of the file (io/fileLimits.js). */

@@ -29,6 +29,7 @@ export const DOCUMENT_ISSUES = Object.freeze({
   'too-many-postures': 'error',
   'too-many-frames': 'error',
   'too-many-targets': 'error',
+  'too-many-obstacles': 'error',
   'too-many-programs': 'error',
   'limits-crossed': 'error',
   'orientation-twice': 'error', // rpy and quaternion

@@ -106,7 +106,7 @@ function freeIds(list, letters) {
  * @param {unknown} other
  * @returns {boolean}
  */
-function isSame(one, other) {
+export function isSame(one, other) {
   if (!isObject(one) || !isObject(other)) return Object.is(one, other);
   const names = Object.keys(one);
   return names.length === Object.keys(other).length && names.every((name) => isSame(one[name], other[name]));

@@ -15,6 +15,7 @@ export const newDocument = (robot) => ({
   postures: [],
   frames: [],
   targets: [],
+  obstacles: [],
   motionPrograms: [],
   programs: [],
   extensions: [],

@@ -13,10 +13,14 @@ export function shown(value) {
   return typeof value === 'object' && value !== null ? 'an object' : String(value).replace('-', '−');
 }
 
-/** @param {'joint' | 'posture' | 'target' | 'frame' | 'program' | 'step'} what @param {number} index @param {number} count @param {number} [least] */
+/** @param {'joint' | 'posture' | 'target' | 'frame' | 'program' | 'step' | 'obstacle'} what @param {number} index @param {number} count @param {number} [least] */
 export function badIndex(what, index, count, least = 0) {
   if (Number.isInteger(index) && index >= least && index < count) return null;
-  return issue('index', what, `Expected a ${what} index from ${shown(least)} to ${count - 1}, got ${shown(index)}.`);
+  return issue(
+    'index',
+    what,
+    `Expected ${what === 'obstacle' ? 'an' : 'a'} ${what} index from ${shown(least)} to ${count - 1}, got ${shown(index)}.`,
+  );
 }
 
 /** @param {string} what @param {number | undefined} value @param {boolean} [mayBeAbsent] */

@@ -10,6 +10,7 @@ import { CONVENTIONS } from './documentRules.js';
 import { controllerRefusal } from './controllerCommand.js';
 import { frameRefusal } from './frameRefusals.js';
 import { motionRefusal } from './motionRefusals.js';
+import { obstacleRefusal } from './obstacleFaults.js';
 import { tableRefusal } from './tableCommand.js';
 import { targetRefusal } from './targetRefusals.js';
 import { POSTURE_NAME, isPostureName, postureRefusal } from './postureCommand.js';
@@ -97,6 +98,11 @@ export function refusal(doc, command) {
       return motionRefusal(doc, command);
     case 'set-controller':
       return controllerRefusal(doc, command);
+    case 'add-obstacle':
+    case 'rename-obstacle':
+    case 'edit-obstacle':
+    case 'remove-obstacle':
+      return obstacleRefusal(doc, command);
     case 'set-base':
     case 'set-tool':
     case 'set-link':

@@ -21,6 +21,7 @@ import {
   PROGRAM_LANGUAGES,
 } from './documentRules.js';
 import { motionFaults } from './motionFaults.js';
+import { obstacleFaults } from './obstacleFaults.js';
 import { checkFrameId, framesIssues } from './validateFrames.js';
 import { jointsIssues } from './validateJoints.js';
 import {
@@ -47,6 +48,7 @@ export const validateDocument = (doc) => [
   ...checkCount('too-many-frames', 'frames', doc.frames.length, MAX_FRAMES),
   ...framesIssues(doc),
   ...targetsIssues(doc),
+  ...obstacleFaults(doc),
   ...motionFaults(doc),
   ...programsIssues(doc),
 ];

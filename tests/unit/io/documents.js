@@ -1,6 +1,6 @@
 /**
  * Arbitrary sound documents: hostile texts, odd numbers, all types, optional things there or not.
- * @import { ControllerDoc, Doc, FrameDoc, JointDoc, LinkDoc, MotionProgramDoc, PoseDoc, RobotInfo, StepDoc, StepTarget, TargetDoc } from '../../../src/model/document.js'
+ * @import { ControllerDoc, Doc, FrameDoc, JointDoc, LinkDoc, MotionProgramDoc, ObstacleDoc, PoseDoc, RobotInfo, StepDoc, StepTarget, TargetDoc } from '../../../src/model/document.js'
  */
 import fc from 'fast-check';
 import { STEP_LAWS } from '../../../src/model/documentRules.js';
@@ -173,6 +173,22 @@ const targets = fc.uniqueArray(
   { selector: (target) => target.id, maxLength: 4 },
 );
 
+/** @type {fc.Arbitrary<ObstacleDoc[]>} */
+const obstacles = fc.uniqueArray(
+  fc
+    .tuple(
+      pose,
+      fc.oneof(
+        record({ kind: fc.constant('box'), id, width: positive, depth: positive, height: positive }),
+        record({ kind: fc.constant('sphere'), id, radius: positive }),
+        record({ kind: fc.constant('cylinder'), id, radius: positive, height: positive }),
+        record({ kind: fc.constant('plane'), id }),
+      ),
+    )
+    .map(([where, rest]) => /** @type {ObstacleDoc} */ ({ ...where, ...rest })),
+  { selector: (obstacle) => obstacle.id, maxLength: 5 },
+);
+
 const signal = fc.constantFrom(/** @type {const} */ ('on'), /** @type {const} */ ('off'));
 const count = fc.integer({ min: 1, max: 1e9 });
 const percent = fc.double({ min: 5e-324, max: 100, noNaN: true });
@@ -281,6 +297,7 @@ export const documents = fc.uniqueArray(id, { minLength: 2, maxLength: 6 }).chai
     postures: postures(ids.length),
     frames,
     targets,
+    obstacles,
     motionPrograms: fc.constant([]),
     programs,
     extensions,

@@ -56,6 +56,7 @@ const rich = deepFreeze({
   ],
   activeTool: 'none',
   targets: [{ id: 'corner', xyz: [1, 0, 0] }],
+  obstacles: [{ kind: 'sphere', id: 'ball', xyz: [1, 1, 0], radius: 0.2 }],
   programs: [{ id: 'main', language: 'karel', text: '' }],
   extensions: ['<x:note xmlns:x="urn:example:x"/>'],
 });
@@ -112,6 +113,7 @@ describe('a URDF', () => {
       'URDF has no place for 1 tool (pen) that is not active.',
       'URDF has no place for the name of the active tool, none; its pose is kept.',
       'URDF has no place for 1 target (corner).',
+      'URDF has no place for 1 obstacle (ball).',
       'URDF has no place for 1 program (main).',
       'URDF has no place for 1 element of other programs.',
       'URDF has no place for what is said of the robot: manufacturer, author, description.',

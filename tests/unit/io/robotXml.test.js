@@ -41,6 +41,7 @@ test('a small file is this document', () => {
       postures: [],
       frames: [],
       targets: [],
+      obstacles: [],
       motionPrograms: [],
       programs: [],
       extensions: [],
@@ -59,7 +60,7 @@ test('everything in a file has its place in the document', () => {
     inJoint:
       '<limits lower="-1" upper="2" home="0.5" velocity="3" acceleration="4" jerk="5" effort="6"/><link kind="box" radius="1" width="2" height="3" color="#ffcc00"/><controller sign="-1" offset="7" coupledTo="joint_2" coupling="-1"/>',
     after:
-      '<tool rpy="0 0 90"/><frames><toolFrame id="t" number="2"/><userFrame id="u" xyz="1 1 1"/></frames><postures><posture id="p1" q="1 2"/></postures><motionPrograms><motionProgram id="m" name="Weld"><jointMove id="s1" to="posture" q="1 2" speed="50" speedUnit="%" acceleration="100" ending="percent" endingValue="20" law="quintic"/><circularMove id="s2" via="pose" viaXyz="1 2 3" to="pose" xyz="4 5 6" rpy="0 0 90" configuration="N U T" speed="0.2" speedUnit="length/s" acceleration="80" ending="fine" tool="t" frame="u" comment="c" disabled="true"/><wait id="s3" seconds="0.5"/><setOutput id="s4" output="1" value="on"/><waitInput id="s5" input="2" value="off"/><call id="s6" program="m"/><label id="s7" label="again"/><comment id="s8" text="a b"/></motionProgram></motionPrograms><programs><program id="pick" language="karel">PROGRAM pick\nEND pick</program></programs>',
+      '<tool rpy="0 0 90"/><frames><toolFrame id="t" number="2"/><userFrame id="u" xyz="1 1 1"/></frames><obstacles><plane id="floor" rpy="0 0 0"/><box id="table" width="1" depth="2" height="3" xyz="4 5 6"/><sphere id="ball" radius="7"/><cylinder id="post" radius="8" height="9"/></obstacles><postures><posture id="p1" q="1 2"/></postures><motionPrograms><motionProgram id="m" name="Weld"><jointMove id="s1" to="posture" q="1 2" speed="50" speedUnit="%" acceleration="100" ending="percent" endingValue="20" law="quintic"/><circularMove id="s2" via="pose" viaXyz="1 2 3" to="pose" xyz="4 5 6" rpy="0 0 90" configuration="N U T" speed="0.2" speedUnit="length/s" acceleration="80" ending="fine" tool="t" frame="u" comment="c" disabled="true"/><wait id="s3" seconds="0.5"/><setOutput id="s4" output="1" value="on"/><waitInput id="s5" input="2" value="off"/><call id="s6" program="m"/><label id="s7" label="again"/><comment id="s8" text="a b"/></motionProgram></motionPrograms><programs><program id="pick" language="karel">PROGRAM pick\nEND pick</program></programs>',
   });
   expect(doc).toStrictEqual({
     robot: {
@@ -99,6 +100,12 @@ test('everything in a file has its place in the document', () => {
       { kind: 'user', id: 'u', xyz: [1, 1, 1] },
     ],
     targets: [],
+    obstacles: [
+      { kind: 'plane', id: 'floor', xyz: [0, 0, 0], rpy: [0, 0, 0] },
+      { kind: 'box', id: 'table', width: 1, depth: 2, height: 3, xyz: [4, 5, 6] },
+      { kind: 'sphere', id: 'ball', radius: 7, xyz: [0, 0, 0] },
+      { kind: 'cylinder', id: 'post', radius: 8, height: 9, xyz: [0, 0, 0] },
+    ],
     motionPrograms: [
       {
         id: 'm',

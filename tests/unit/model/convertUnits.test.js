@@ -98,6 +98,11 @@ const everything = {
   postures: [{ id: 'p1', q: [-180, 33.3] }],
   frames: [{ kind: 'user', id: 'u', number: 3, xyz: [100, 0, 0], rpy: [0, 0, 180] }],
   targets: [{ id: 'aim', xyz: [500, 0, 25.4], rpy: [180, 0, -45], configuration: 'N U T, 0, 0, 0' }],
+  obstacles: [
+    { kind: 'box', id: 'table', xyz: [1000, 0, 500], rpy: [0, 0, 90], width: 800, depth: 600, height: 20 },
+    { kind: 'cylinder', id: 'post', xyz: [0, 700, 0], radius: 50, height: 1200 },
+    { kind: 'plane', id: 'floor', xyz: [0, 0, -10], quaternion: [0, 0, 0, 1] },
+  ],
   motionPrograms: [
     {
       ...{ id: 'm', name: 'M' },
@@ -155,6 +160,11 @@ test('every number of the document converts, and what has no unit does not', () 
     postures: [{ id: 'p1', q: [-PI, 0.0333] }],
     frames: [{ kind: 'user', id: 'u', number: 3, xyz: [0.1, 0, 0], rpy: [0, 0, PI] }],
     targets: [{ id: 'aim', xyz: [0.5, 0, 0.0254], rpy: [PI, 0, -PI / 4], configuration: 'N U T, 0, 0, 0' }],
+    obstacles: [
+      { kind: 'box', id: 'table', xyz: [1, 0, 0.5], rpy: [0, 0, PI / 2], width: 0.8, depth: 0.6, height: 0.02 },
+      { kind: 'cylinder', id: 'post', xyz: [0, 0.7, 0], radius: 0.05, height: 1.2 },
+      { kind: 'plane', id: 'floor', xyz: [0, 0, -0.01], quaternion: [0, 0, 0, 1] },
+    ],
     motionPrograms: [
       {
         ...{ id: 'm', name: 'M' },

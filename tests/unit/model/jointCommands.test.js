@@ -34,6 +34,7 @@ const docOf = (...joints) => ({
   postures: [{ id: 'p1', q: joints.map((_, i) => 10 * (i + 1)) }],
   frames: [],
   targets: [],
+  obstacles: [],
   motionPrograms: [],
   programs: [],
   extensions: [],

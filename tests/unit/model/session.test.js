@@ -30,7 +30,7 @@ function tryTo(store, action) {
 }
 
 /** Written anew, from what a document promises. @param {import('../../../src/model/document.js').Doc} doc */
-function expectSound({ robot, posture, postures, targets, frames, activeTool, activeUser, motionPrograms }) {
+function expectSound({ robot, posture, postures, targets, frames, obstacles, activeTool, activeUser, motionPrograms }) {
   expectSoundPrograms(motionPrograms, { joints: robot.joints.length, targets, frames });
   expect(posture).toHaveLength(robot.joints.length);
   for (const values of [posture, ...postures.map(({ q }) => q)]) expect(values.every(Number.isFinite)).toBe(true);
@@ -48,11 +48,19 @@ function expectSound({ robot, posture, postures, targets, frames, activeTool, ac
     expect(named('tool')).toContain(activeTool);
     expect(frames.find(({ id }) => id === activeTool)).toMatchObject(robot.tool);
   }
-  for (const { xyz, rpy, quaternion } of [robot.base, robot.tool, ...targets, ...frames]) {
+  for (const { xyz, rpy, quaternion } of [robot.base, robot.tool, ...targets, ...frames, ...obstacles]) {
     expect(xyz).toHaveLength(3);
     expect([...xyz, ...(rpy ?? []), ...(quaternion ?? [])].every(Number.isFinite)).toBe(true);
     expect(rpy === undefined || (rpy.length === 3 && quaternion === undefined)).toBe(true);
     if (quaternion) expect(Math.hypot(...quaternion)).toBeCloseTo(1, 5);
+  }
+  expect(new Set(obstacles.map(({ id }) => id)).size).toBe(obstacles.length);
+  for (const { kind, id, xyz, rpy, quaternion, ...sizes } of obstacles) {
+    const names = { box: ['depth', 'height', 'width'], sphere: ['radius'], cylinder: ['height', 'radius'], plane: [] };
+    expect(Object.keys(sizes).sort()).toEqual(names[kind]);
+    for (const value of Object.values(sizes)) expect(value > 0 && value <= 1e9).toBe(true);
+    expect(id).toMatch(/^[A-Za-z_][A-Za-z0-9_]{0,63}$/);
+    expect([...xyz, ...(rpy ?? quaternion ?? [])]).not.toContain(undefined);
   }
   for (const { velocity = 1, acceleration = 1, jerk = 1, effort = 1, link } of robot.joints) {
     const { radius = 1, width = 1, height = 1, color = '#ffcc00' } = link;

@@ -286,6 +286,24 @@ test.for([
     'The model has 201 targets; expected at most 200.',
   ],
   [
+    { obstacles: Array.from({ length: 101 }, (_, i) => ({ kind: 'plane', id: `o${i}`, xyz: [0, 0, 0] })) },
+    'too-many-obstacles',
+    'obstacles',
+    'A model keeps at most 100 obstacles.',
+  ],
+  [
+    { obstacles: ['a', 'b', 'a'].map((id) => ({ kind: 'plane', id, xyz: [0, 0, 0] })) },
+    'id-taken',
+    'obstacles.2.id',
+    'Another obstacle is called "a" already.',
+  ],
+  [
+    { obstacles: [{ kind: 'cylinder', id: 'a', xyz: [0, 0, 0], radius: 1, height: 0 }] },
+    'number',
+    'obstacles.0.height',
+    'The height of a cylinder is a number above 0, up to 10⁹; got 0.',
+  ],
+  [
     { targets: ['a', 'b', 'a'].map((id) => ({ id, xyz: [0, 0, 0] })) },
     'id-taken',
     'targets.2.id',

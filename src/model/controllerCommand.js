@@ -6,6 +6,7 @@
  *
  * @typedef {{ type: 'set-controller', joint: number, controller: ControllerDoc }} ControllerCommand
  */
+import { isSliding } from './document.js';
 import { badIndex, badNumber, issue, shown } from './refusalParts.js';
 
 /**
@@ -72,5 +73,8 @@ function badCoupling(joints, index, path, coupling, coupledTo) {
     chain.push(i);
     next = joints[i].controller.coupledTo;
   }
-  return null;
+  const [, other] = chain;
+  if (isSliding(joints[other]) === isSliding(joints[index])) return null;
+  const [turns, slides] = (isSliding(joints[other]) ? [index, other] : [other, index]).map(nameOf);
+  return issue('coupling-kinds', at, `${turns} turns and ${slides} slides; a coupling adds numbers of one kind.`);
 }

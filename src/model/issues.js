@@ -40,6 +40,7 @@ export const DOCUMENT_ISSUES = Object.freeze({
 
   'posture-outside-limits': 'warning',
   'home-outside-limits': 'warning',
+  'coupling-kinds': 'warning', // between a joint that turns and one that slides
   'joint-locked': 'warning', // lower = upper
   'limits-unused': 'warning', // a continuous joint with limits
   'no-extent': 'warning', // all lengths zero

@@ -27,6 +27,7 @@ const LARGE_METRES = 1e6;
 export const reviewDocument = (doc) => [
   ...extentIssues(doc.robot),
   ...doc.robot.joints.flatMap((joint, i) => [...limitIssues(joint, `robot.joints.${i}`)]),
+  ...couplingKinds(doc.robot),
   ...outsideLimits(doc.robot, doc.posture, 'The present posture', 'posture'),
   ...doc.postures.flatMap(({ id, q }, i) => [
     ...outsideLimits(doc.robot, q, `Posture ${shownValue(id)}`, `postures.${i}.q`),
@@ -70,6 +71,23 @@ function* limitIssues(joint, path) {
   if (home !== undefined && !isWithin(joint, home)) {
     const message = `${owner} has its home value ${home} outside its limits, ${range(joint)}.`;
     yield documentIssue('home-outside-limits', `${path}.home`, message);
+  }
+}
+
+/**
+ * A pendant adds the numbers of coupled joints. A new coupling between kinds is refused (controllerCommand.js); a link or a file
+ * that has one opens, as all of its version do.
+ * @param {RobotDoc} robot
+ * @returns {Issues}
+ */
+function* couplingKinds({ joints }) {
+  for (const [i, joint] of joints.entries()) {
+    const { coupledTo, coupling } = joint.controller;
+    const other = joints.find(({ id }) => id === coupledTo);
+    if (!other || coupling === 0 || isSliding(other) === isSliding(joint)) continue;
+    const [own, others] = isSliding(joint) ? ['slides', 'turns'] : ['turns', 'slides'];
+    const message = `${jointName(joint)} ${own} and is coupled to ${shownValue(coupledTo)}, which ${others}: an angle and a length have no sum, so its pendant number means nothing.`;
+    yield documentIssue('coupling-kinds', `robot.joints.${i}.controller.coupledTo`, message);
   }
 }
 

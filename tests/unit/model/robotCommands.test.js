@@ -145,4 +145,20 @@ describe('how a pendant counts a joint', () => {
     );
     expect(whatChanged(doc, one)).toEqual({ what: 'controller', joint: 2 });
   });
+
+  test('between turning and sliding is refused either way and with any factor; of one kind it is not', () => {
+    const slide = applyCommand(doc, { type: 'set-joint-type', joint: 2, jointType: 'prismatic' });
+    const against = (/** @type {number} */ joint, /** @type {object} */ controller) =>
+      refusal(slide, /** @type {Command} */ (set(joint, controller)))?.message ?? null;
+    const sentence = 'J2 turns and J3 slides; a coupling adds numbers of one kind.';
+    expect(against(2, { coupling: -1, coupledTo: j2 })).toBe(sentence);
+    expect(against(1, { coupling: 0, coupledTo: j3 })).toBe(sentence);
+    expect(against(1, { coupling: 1, coupledTo: j1 })).toBeNull();
+    const two = applyCommand(slide, { type: 'set-joint-type', joint: 1, jointType: 'prismatic' });
+    const slides = /** @type {Command} */ (set(2, { coupling: 1, coupledTo: j2 }));
+    expect(refusal(two, slides)).toBeNull();
+    // a joint that becomes the other kind loses its couplings
+    const turned = applyCommand(applyCommand(two, slides), { type: 'set-joint-type', joint: 1, jointType: 'revolute' });
+    expect(turned.robot.joints[2].controller).toEqual(plain);
+  });
 });

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { poseFromXyzwpr } from '../../../src/model/aim.js';
 import { LIBRARY } from '../../../src/model/library.js';
-import { lookingAt, toolDown, turnedAs } from '../../../src/model/targetHelpers.js';
+import { lookingAt, pointInWorld, toolDown, turnedAs } from '../../../src/model/targetHelpers.js';
 
 const T = poseFromXyzwpr(LIBRARY.puma560, [400, -100, 700, 30, -50, 110]);
 const column = (/** @type {Float64Array} */ M, /** @type {number} */ k) => [...M.subarray(4 * k, 4 * k + 3)];
@@ -38,4 +38,15 @@ test('turned as another pose keeps its place', () => {
   const mixed = turnedAs(T, toolDown(T));
   expect(column(mixed, 3)).toEqual(column(T, 3));
   expect(column(mixed, 2)).toEqual([0, 0, -1]);
+});
+
+test('a point of a user frame is looked at where it stands in the world', () => {
+  // the frame stands at (400, −200, 50) mm, turned by a quarter about the vertical: its x is the world's y, its y the world's −x
+  const T_world_user = poseFromXyzwpr(LIBRARY.puma560, [400, -200, 50, 0, 0, 90]);
+  const point = pointInWorld(T_world_user, [0.3, 0.1, 0.02]);
+  [0.3, 0.1, 0.07].forEach((value, k) => expect(point[k]).toBeCloseTo(value, 15));
+  expect(pointInWorld(null, [0.3, 0.1, 0.02])).toEqual([0.3, 0.1, 0.02]);
+  // and in a frame that is turned about all three axes, as its own columns say
+  const sum = [0, 1, 2].map((k) => T[k] * 0.3 + T[4 + k] * 0.1 + T[8 + k] * 0.02 + T[12 + k]);
+  pointInWorld(T, [0.3, 0.1, 0.02]).forEach((value, k) => expect(value).toBeCloseTo(sum[k], 15));
 });

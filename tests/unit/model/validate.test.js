@@ -432,6 +432,12 @@ test.for([
     'Joint "joint_1" is continuous, so its limits are not used.',
   ],
   [
+    { 'robot.joints.0.type': 'prismatic', 'robot.joints.1.controller': { sign: 1, offset: 0, coupling: -1, coupledTo: 'joint_1' } }, // prettier-ignore
+    'coupling-kinds',
+    'robot.joints.1.controller.coupledTo',
+    'Joint "joint_2" turns and is coupled to "joint_1", which slides: an angle and a length have no sum, so its pendant number means nothing.',
+  ],
+  [
     { 'robot.joints.0.a': 0, 'robot.joints.1.a': 0 },
     'no-extent',
     'robot.joints',
@@ -466,6 +472,10 @@ test('nothing is remarked of what real arms have', () => {
     'robot.joints.1.type': 'prismatic',
   };
   expect(remarks(gantry)).toEqual([]); // it is as long as it travels
+  const screw = { sign: 1, offset: 0, coupling: 0.5, coupledTo: 'joint_2' };
+  expect(remarks({ ...gantry, 'robot.joints.0.controller': screw })).toEqual([]); // both slide
+  const endless = { 'robot.joints.1.type': 'continuous', 'robot.joints.1.lower': undefined, 'robot.joints.1.upper': undefined }; // prettier-ignore
+  expect(remarks({ ...endless, 'robot.joints.0.controller': screw })).toEqual([]); // both turn
 });
 
 test('every issue is of a kind that is listed, with the severity listed there', () => {

@@ -113,6 +113,46 @@ describe('zones', () => {
       1e-9,
     );
   });
+  test.each(
+    /** @type {Ending[]} */ ([
+      { kind: 'distance', distance: 0.02 },
+      { kind: 'share', share: 0.7 },
+    ]),
+  )('rates go on from piece to piece and from move to move: %j', (ending) => {
+    const joint = /** @type {Move} */ ({
+      kind: 'joint',
+      posture: Float64Array.from(start, (value, i) => value + [0.3, -0.2, 0.2, 0.5, -0.3, 0.6][i]),
+      speed: 1,
+      acceleration: 1,
+      ending,
+    });
+    const [first, second, third] = lines(ending);
+    // lines into each other, out of a joint move, and into one
+    for (const moves of [
+      [first, second, third],
+      [joint, first, second],
+      [first, second, joint],
+    ]) {
+      const plan = planMotion(chain, start, moves, LIMITS);
+      expect(plan.refused).toBeNull();
+      for (const { path } of plan.parts) {
+        const { knots, coefficients, dof } = path;
+        /** The slope of a joint at either end of a piece. @param {number} piece @param {number} i @param {0 | 1} x */
+        const slope = (piece, i, x) => {
+          const c = coefficients.subarray(6 * (dof * piece + i), 6 * (dof * piece + i) + 6);
+          const sum = x === 0 ? c[1] : c.reduce((total, value, k) => total + k * value, 0);
+          return sum / (knots[piece + 1] - knots[piece]);
+        };
+        for (let k = 1; k < knots.length - 1; k++) {
+          for (let i = 0; i < dof; i++) expect(Math.abs(slope(k, i, 0) - slope(k - 1, i, 1))).toBeLessThan(1e-6);
+        }
+      }
+      for (const { begin } of plan.parts.slice(1)) {
+        const [before, after] = [begin - 1e-9, begin + 1e-9].map((t) => planMomentAt(plan, t).rates.slice());
+        before.forEach((rate, i) => expect(Math.abs(after[i] - rate)).toBeLessThan(1e-6));
+      }
+    }
+  });
   test('a larger zone takes less time, and none stops', () => {
     const durations = [0, 0.3, 0.6, 1].map(
       (share) => planMotion(chain, start, lines({ kind: 'share', share }), LIMITS).duration,

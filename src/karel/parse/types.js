@@ -97,8 +97,16 @@ export function readTypeDefinition(cursor) {
   const name = cursor.needName('the name of a type').text;
   const program = cursor.takeWord('FROM') ? { from: cursor.needName('the name of a program').text } : {};
   cursor.needSign('=');
-  const definition = cursor.isWord('PATH') ? readPathType(cursor) : readStructure(cursor);
+  const definition = readDefinition(cursor);
   return cursor.node(from, { name, ...program, definition });
+}
+
+/** @param {Cursor} cursor @returns {Structure | TypeNode} */
+function readDefinition(cursor) {
+  if (cursor.isWord('PATH')) return readPathType(cursor);
+  if (cursor.isWord('STRUCTURE')) return readStructure(cursor);
+  if (cursor.peek().type !== 'word') cursor.fail('STRUCTURE, PATH or another type');
+  return readType(cursor);
 }
 
 /** @param {Cursor} cursor @returns {PathType} */
@@ -129,7 +137,7 @@ function needTypeName(cursor) {
 /** @param {Cursor} cursor @returns {Structure} */
 function readStructure(cursor) {
   const from = cursor.position();
-  if (!cursor.takeWord('STRUCTURE')) cursor.fail('STRUCTURE or PATH');
+  cursor.advance();
   /** @type {(Declared | Comment | Directive)[]} */
   const fields = [];
   while (true) {

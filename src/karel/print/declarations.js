@@ -73,7 +73,7 @@ function typeLines({ name, from, definition }) {
     const fields = entryLines(definition.fields, (field) => [declaredText(field, word)]);
     return [`${header} STRUCTURE`, ...indented(fields), 'ENDSTRUCTURE'];
   }
-  return [`${header} ${pathText(definition)}`];
+  return [`${header} ${typeText(definition)}`];
 }
 
 /** @param {PathType} type */

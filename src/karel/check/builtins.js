@@ -38,8 +38,8 @@ CNV_STR_CONF text:S *config:C *status:I
 IN_RANGE position:P ?group:I > B
 J_IN_RANGE joints:P ?group:I > B
 CHECK_EPOS position:P user_frame:P tool:P *status:I ?group:I
-JOINT2POS joints:P user_frame:P tool:P reference:I *position:P *config:I *ext:A *status:I
-POS2JOINT reference:P position:P user_frame:P tool:P config_ref:I config:I ext:A *joints:P *status:I
+JOINT2POS joints:P user_frame:P tool:P reference:X *position:P *config:X *ext:A *status:I
+POS2JOINT reference:P position:P user_frame:P tool:P config_ref:X config:X ext:A *joints:P *status:I
 SET_PERCH joints:P tolerances:A *status:I
 GET_REG number:I *is_real:B *integer:I *real:R *status:I
 SET_INT_REG number:I value:I *status:I
@@ -136,7 +136,7 @@ const WITHOUT_SIGNATURE = new Set(
    SET_LANG SET_PORT_ASG SET_PORT_ATR SET_PORT_CMT SET_PORT_MOD SET_POS_TPE SET_TIME SET_TRNS_TPE SET_TSK_ATTR SET_TSK_NAME
    SET_TPE_PRM TRANSLATE UNPOS_EXT UPD_INT_REG V_CAM_CALIB VAR_INFO VAR_LIST VOL_SPACE WRITE_DICT WRITE_DICT_V XML_ADDTAG
    XML_GETDATA XML_REMTAG XML_SCAN XML_SETVAR CNV_JPOS_POS CNV_POS_JPOS CANCEL_RDKB HTTP_GET CURR_TASK VEC EVAL ISNAN RESET_UFRM
-   GET_FILE_ATR ROTATE TRNSPOSE`.split(/\s+/),
+   GET_FILE_ATR IN_AUTO_MODE ROTATE TRNSPOSE`.split(/\s+/),
 );
 
 /**

@@ -161,9 +161,7 @@ function typeOfBinary(node, context) {
   const type = binaryType(node.operator, left, right);
   if (type) return type;
   // Pascal's trap: AND binds tighter than a comparison.
-  const isTrap =
-    /^(AND|OR)$/.test((node.left.kind === 'binary' && node.left.operator) || '') ||
-    /^(AND|OR)$/.test((node.right.kind === 'binary' && node.right.operator) || '');
+  const isTrap = holdsLogic(node.left) || holdsLogic(node.right);
   const hint =
     isTrap || node.operator === 'AND' || node.operator === 'OR'
       ? ' AND and OR bind tighter than comparisons: put those in parentheses.'
@@ -175,6 +173,10 @@ function typeOfBinary(node, context) {
   );
   return types.UNKNOWN;
 }
+
+/** @param {Expression} node @returns {boolean} */
+const holdsLogic = (node) =>
+  node.kind === 'binary' && (/^(AND|OR)$/.test(node.operator) || holdsLogic(node.left) || holdsLogic(node.right));
 
 /** @param {Call} node @param {Context} context @param {boolean} needsValue @returns {Type} */
 export function typeOfCall(node, context, needsValue) {

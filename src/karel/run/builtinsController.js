@@ -1,0 +1,136 @@
+/**
+ * Built-ins that speak to the controller: registers, ports, tasks, semaphores, time, files, messages.
+ *
+ * @import { Builtin, Machine } from './machine.js'
+ */
+import { held, put } from './builtinsMath.js';
+import { copied, number, numbers, record, single, text } from './values.js';
+
+/** By the numbers of GET_PORT_VAL. */
+const PORT_TYPES = /** @type {Readonly<Record<number, string>>} */ ({
+  ...{ 1: 'DIN', 2: 'DOUT', 3: 'AIN', 4: 'AOUT', 8: 'RDI', 9: 'RDO', 11: 'OPIN', 12: 'OPOUT' },
+  ...{ 18: 'GIN', 19: 'GOUT', 20: 'UIN', 21: 'UOUT', 35: 'FLG' },
+});
+
+/** What a variable says that was never set, and what is not there. */
+const UNSET_STATUS = 12311;
+
+/** @param {keyof Pick<Machine['state'], 'registers' | 'positionRegisters' | 'stringRegisters'>} bank @returns {Builtin} */
+const setter =
+  (bank) =>
+  ([index, value, status], { state }) => {
+    state[bank][number(index)] = bank === 'registers' ? { value: number(value), isReal: false } : copied(value);
+    put(status, 0);
+  };
+
+/** @type {Builtin} */
+const positionRegister = ([index, status], { state }) => {
+  const found = state.positionRegisters[number(index)];
+  put(status, found === undefined ? UNSET_STATUS : 0);
+  return copied(found);
+};
+
+/** @param {string} bank @returns {Builtin} */
+const setComment =
+  (bank) =>
+  ([index, comment, status], { state }) => {
+    state.system[`${bank}_CMT[${number(index)}]`] = text(comment);
+    put(status, 0);
+  };
+/** @param {string} bank @returns {Builtin} */
+const getComment =
+  (bank) =>
+  ([index, target, status], { state }) => {
+    put(target, state.system[`${bank}_CMT[${number(index)}]`] ?? '');
+    put(status, 0);
+  };
+
+/** @type {Readonly<Record<string, Builtin>>} */
+export const CONTROLLER = {
+  SET_INT_REG: setter('registers'),
+  SET_REAL_REG: ([index, value, status], { state }) => {
+    state.registers[number(index)] = { value: single(number(value)), isReal: true };
+    put(status, 0);
+  },
+  GET_REG: ([index, isReal, integer, real, status], { state }) => {
+    const found = state.registers[number(index)];
+    put(status, found === undefined ? UNSET_STATUS : 0);
+    if (found === undefined) return;
+    const register = record(found);
+    put(isReal, register.isReal);
+    put(register.isReal ? real : integer, register.value);
+  },
+  SET_POS_REG: setter('positionRegisters'),
+  SET_EPOS_REG: setter('positionRegisters'),
+  SET_JPOS_REG: setter('positionRegisters'),
+  GET_POS_REG: positionRegister,
+  GET_JPOS_REG: positionRegister,
+  CLR_POS_REG: ([index, , status], { state }) => {
+    delete state.positionRegisters[number(index)];
+    put(status, 0);
+  },
+  SET_STR_REG: ([index, value, status], { state }) => {
+    state.stringRegisters[number(index)] = text(value);
+    put(status, 0);
+  },
+  GET_STR_REG: ([index, target, status], { state }) => {
+    put(target, state.stringRegisters[number(index)] ?? '');
+    put(status, 0);
+  },
+  SET_REG_CMT: setComment('R'),
+  GET_REG_CMT: getComment('R'),
+  SET_PREG_CMT: setComment('PR'),
+  GET_PREG_CMT: getComment('PR'),
+  SET_SREG_CMT: setComment('SR'),
+  GET_SREG_CMT: getComment('SR'),
+
+  GET_PORT_VAL: ([type, index, value, status], { state }) => {
+    const port = PORT_TYPES[number(type)];
+    put(value, Number(state.ports[port]?.[number(index)] ?? 0));
+    put(status, port ? 0 : 1);
+  },
+  SET_PORT_VAL: ([type, index, value, status], { state }) => {
+    const port = PORT_TYPES[number(type)];
+    if (port) (state.ports[port] ??= {})[number(index)] = /^[GA]/.test(port) ? number(value) : number(value) !== 0;
+    put(status, port ? 0 : 1);
+  },
+
+  CURR_PROG: (_, { state }) => state.tasks[state.current].name,
+  IN_RANGE: () => true,
+  J_IN_RANGE: ([joints], { host }) => host.inRange?.(numbers(joints)) ?? true,
+  CURJPOS: (_, { host }) => [...(host.joints?.() ?? [0, 0, 0, 0, 0, 0])],
+  CURPOS: (_, { host }) => [...(host.position?.() ?? [0, 0, 0, 0, 0, 0]), 0, 0, 0, 0].slice(0, 10),
+  MOTION_CTL: () => true,
+  LOCK_GROUP: ([, status]) => put(status, 0),
+  UNLOCK_GROUP: ([, status]) => put(status, 0),
+  CLEAR_SEMA: ([index], { state }) => void (state.semaphores[number(index)] = 0),
+  POST_SEMA: ([index], { state }) =>
+    void (state.semaphores[number(index)] = (state.semaphores[number(index)] ?? 0) + 1),
+  SEMA_COUNT: ([index], { state }) => state.semaphores[number(index)] ?? 0,
+
+  GET_TIME: ([target], { state }) => put(target, Math.trunc(state.time / 2000)),
+  GET_USEC_TIM: ([target], { state }) => put(target, Math.trunc(state.time * 10 ** 3) | 0),
+
+  IO_STATUS: ([file]) => record(held(file)).status ?? 0,
+  CLR_IO_STAT: ([file]) => void (record(held(file)).status = 0),
+  SET_FILE_ATR: () => undefined,
+  BYTES_AHEAD: ([file, count, status]) => {
+    const { rest = '' } = record(held(file));
+    put(count, text(rest).length);
+    put(status, 0);
+  },
+  DELETE_FILE: ([path, , status], { state }) => {
+    const isThere = Object.hasOwn(state.files, text(path).toUpperCase());
+    delete state.files[text(path).toUpperCase()];
+    put(status, isThere ? 0 : 2014);
+  },
+  POST_ERR: ([code, message, , severity], machine) => {
+    machine.effect = { kind: 'error', code: number(code), message: text(message), severity: number(severity) };
+  },
+  MSG_CONNECT: ([, status]) => put(status, 0),
+  MSG_DISCO: ([, status]) => put(status, 0),
+  MSG_PING: ([, status]) => put(status, 0),
+  FORCE_SPMENU: () => undefined,
+  KCL_NO_WAIT: ([, status]) => put(status, 0),
+  KCL: ([, status]) => put(status, 0),
+};

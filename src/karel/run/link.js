@@ -1,0 +1,95 @@
+/**
+ * Programs → code for the machine. Each routine becomes a list of instructions; calls, waiting and jumps are instructions,
+ * so that whatever a program is doing is one number, the program counter.
+ *
+ * @import { Program, Statement } from '../tree.js'
+ * @import { RoutineSymbol } from '../check/declarations.js'
+ * @import { Compiler, Linker } from './compiler.js'
+ * @import { Code, Host, Instruction, Machine } from './machine.js'
+ * @import { Value } from './values.js'
+ */
+import { analyse } from '../check/analysis.js';
+import { createCompiler } from './compiler.js';
+import { OVER, returnNothing } from './machine.js';
+import { compileBody } from './statements.js';
+import { Alarm, unsetValue } from './values.js';
+
+/** @param {Program} tree @param {Host} host */
+export function link(tree, host) {
+  /** @type {Linker} */
+  const linker = {
+    image: { codes: [], handlers: [], entries: {} },
+    host,
+    analyses: [],
+    names: [],
+    programNamed: (name) => programNamed(name, linker),
+  };
+  addProgram(tree, linker);
+  return linker;
+}
+
+/** @param {Program} tree @param {Linker} linker @returns {number} its index */
+function addProgram(tree, linker) {
+  const analysis = analyse(tree, linker.host.sources ?? {});
+  const index = linker.analyses.length;
+  linker.analyses.push(analysis);
+  linker.names.push(analysis.program.name.toUpperCase());
+  const { scope } = analysis;
+  const routines = [...scope.globals.values()].filter((symbol) => symbol.kind === 'routine' && symbol.node);
+  const entry = (/** @type {string} */ name) => `${scope.program}.${name.toUpperCase()}`;
+  /** @type {[Code, Compiler, readonly Statement[]][]} */
+  const bodies = [];
+  const begin = (
+    /** @type {string} */ name,
+    /** @type {RoutineSymbol | null} */ routine,
+    /** @type {readonly Statement[]} */ body,
+  ) => {
+    /** @type {Code} */
+    const code = {
+      name,
+      program: index,
+      slots: routine?.slots ?? 0,
+      instructions: [],
+      lines: [],
+      initial: initialValues(routine),
+    };
+    linker.image.entries[entry(routine ? name : '')] = linker.image.codes.length;
+    linker.image.codes.push(code);
+    bodies.push([code, createCompiler(linker, analysis, code, routine), body]);
+  };
+  begin(analysis.program.name, null, analysis.program.body);
+  for (const symbol of routines) if (symbol.kind === 'routine') begin(symbol.name, symbol, symbol.node?.body ?? []);
+  for (const [code, compiler, body] of bodies) {
+    compileBody(body, compiler);
+    const needsValue = compiler.routine && compiler.routine.returns.kind !== 'NOTHING';
+    compiler.line = 0;
+    compiler.emit(needsValue ? missingReturn : compiler.routine ? returnNothing : () => OVER);
+    code.slots = Math.max(code.slots, compiler.slots());
+  }
+  return index;
+}
+
+/** @type {Instruction} */
+function missingReturn() {
+  throw new Alarm('the function ends without RETURN of a value', 'return');
+}
+
+/** By slot, what locals hold at first. @param {RoutineSymbol | null} routine */
+function initialValues(routine) {
+  /** @type {((machine: Machine) => Value)[]} */
+  const initial = [];
+  for (const symbol of routine?.locals.values() ?? []) {
+    if (symbol.kind === 'variable') initial[symbol.slot] = () => unsetValue(symbol.type);
+  }
+  return initial;
+}
+
+/** A program among those at hand, compiled when it is first asked for. @param {string} name @param {Linker} linker @returns {number} */
+function programNamed(name, linker) {
+  const upper = name.toUpperCase();
+  const known = linker.names.indexOf(upper);
+  if (known >= 0) return known;
+  const { programs = {} } = linker.host;
+  const key = Object.keys(programs).find((one) => one.toUpperCase() === upper);
+  return key === undefined ? -1 : addProgram(programs[key], linker);
+}

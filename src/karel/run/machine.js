@@ -1,0 +1,173 @@
+/**
+ * The machine that runs compiled KAREL: its state, which is plain data, and the loop that executes it. Time is simulated:
+ * statements take a little, DELAY and waiting take what they say; nothing here knows of a clock.
+ *
+ * @import { Program } from '../tree.js'
+ * @import { Reference, Value } from './values.js'
+ *
+ * @typedef {(machine: Machine, frame: Frame) => number} Instruction  gives the next program counter, or one of the marks below
+ * @typedef {object} Code
+ * @property {string} name
+ * @property {number} program      whose globals it knows
+ * @property {number} slots
+ * @property {Instruction[]} instructions
+ * @property {number[]} lines
+ * @property {((machine: Machine) => Value)[]} initial  by slot: what a local holds at first
+ *
+ * @typedef {{ code: number, pc: number, locals: Value[], result: number }} Frame  result: where in the caller's locals
+ * @typedef {{ name: string, frames: Frame[], wake: number, status: 'running' | 'paused' | 'ended' }} Task
+ * @typedef {{ number: number, task: number, handler: number, isEnabled: boolean, before: boolean[][] }} Handler
+ *
+ * @typedef {object} State
+ * @property {number} time            ms
+ * @property {number} steps
+ * @property {number} nextScan
+ * @property {Value[][]} globals      by program
+ * @property {Task[]} tasks
+ * @property {number} current         the task that runs
+ * @property {Handler[]} handlers
+ * @property {Record<string, Record<string, Value>>} ports
+ * @property {Record<string, Value>} registers
+ * @property {Record<string, Value>} positionRegisters
+ * @property {Record<string, Value>} stringRegisters
+ * @property {Record<string, string>} files
+ * @property {string[]} input         lines that wait to be read
+ * @property {Record<string, number>} semaphores
+ * @property {Record<string, Value>} system     system variables by their text
+ * @property {{ holder: Record<string | number, Value>, key: string | number, since: number, from: number }[]} timers
+ * @property {{ kind: string, port: string, index: number, value: boolean, at: number }[]} pulses
+ *
+ * @typedef {{ kind: string, line?: number, [detail: string]: unknown }} Effect
+ * @typedef {{ codes: Code[], handlers: CompiledHandler[], entries: Record<string, number> }} Image
+ * @typedef {{ conditions: ConditionTest[], actions: number[] }} CompiledHandler
+ * @typedef {(machine: Machine, frame: Frame, before: boolean[], event: Occurred | null) => boolean} ConditionTest
+ * @typedef {{ name: string, number: number }} Occurred
+ *
+ * @typedef {(machine: Machine, frame: Frame) => Value} Evaluate
+ * @typedef {(machine: Machine, frame: Frame) => Reference} Locate
+ * @typedef {(args: (Value | Reference)[], machine: Machine) => Value} Builtin
+ *
+ * @typedef {object} Machine
+ * @property {Image} image
+ * @property {State} state
+ * @property {Host} host
+ * @property {Effect | null} effect     set by an instruction that has one
+ * @property {Value[]} globals          of the program that runs
+ *
+ * @typedef {object} Host
+ * @property {Readonly<Record<string, Program>>} [programs]  other KAREL programs by name
+ * @property {Readonly<Record<string, string>>} [sources]     for %INCLUDE
+ * @property {Readonly<Record<string, string>>} [files]       what is on the device at the start
+ * @property {readonly string[]} [input]                      lines for READ
+ * @property {number} [steps]                                 so many instructions at most; 10 million if nothing is said
+ * @property {boolean} [traceSteps]                           an effect before each statement
+ * @property {() => readonly number[]} [joints]               where the arm is: pendant values
+ * @property {() => readonly number[]} [position]             x y z w p r of the tool
+ * @property {(joints: readonly number[]) => boolean} [inRange]
+ * @property {(state: State) => void} [onScan]                inputs may change here
+ */
+import { Alarm } from './values.js';
+
+/** The frame changed: go on with the top one. */
+export const SWITCH = -1;
+/** There is an effect, or the task waits. */
+export const HALT = -2;
+/** The task is over. */
+export const OVER = -3;
+
+/** The shortest time between two looks at the conditions, by the manual. */
+export const SCAN = 8;
+
+/** What a statement takes, in ms. A guess: without it a loop that waits for a timer would never end. */
+const STATEMENT_TIME = 0.01;
+
+/** Instructions before other tasks, handlers and timers are looked at. */
+const SLICE = 400;
+
+export const DEFAULT_STEPS = 10_000_000;
+
+/** Run the current task for a while. @param {Machine} machine @param {number} most  instructions @returns {'slice' | 'halt' | 'over'} */
+export function runSlice(machine, most) {
+  const { state, image } = machine;
+  const task = state.tasks[state.current];
+  let left = Math.min(most, SLICE);
+  const planned = left;
+  let frame = task.frames[task.frames.length - 1];
+  let { instructions } = image.codes[frame.code];
+  machine.globals = state.globals[image.codes[frame.code].program];
+  let { pc } = frame;
+  try {
+    while (left > 0) {
+      left--;
+      const next = instructions[pc](machine, frame);
+      if (next >= 0) pc = next;
+      else if (next === SWITCH) {
+        frame = task.frames[task.frames.length - 1];
+        instructions = image.codes[frame.code].instructions;
+        machine.globals = state.globals[image.codes[frame.code].program];
+        pc = frame.pc;
+      } else {
+        pc = frame.pc;
+        return next === OVER ? 'over' : 'halt';
+      }
+    }
+    return 'slice';
+  } finally {
+    frame.pc = pc;
+    state.steps += planned - left;
+    state.time += (planned - left) * STATEMENT_TIME;
+  }
+}
+
+/** The line that the current task is at. @param {Machine} machine */
+export function currentLine({ state, image }) {
+  const frame = state.tasks[state.current]?.frames.at(-1);
+  return frame ? (image.codes[frame.code].lines[frame.pc] ?? 0) : 0;
+}
+
+/** Push a routine onto a task. @param {Machine} machine @param {Task} task @param {number} code @param {Value[]} args references @param {number} result */
+export function pushFrame(machine, task, code, args, result) {
+  if (task.frames.length > 500) throw new Alarm('routines call each other too deeply', 'stack');
+  const { slots, initial } = machine.image.codes[code];
+  const locals = new Array(slots);
+  for (let i = 0; i < args.length; i++) locals[i] = args[i];
+  for (let i = args.length; i < initial.length; i++) locals[i] = initial[i](machine);
+  task.frames.push({ code, pc: 0, locals, result });
+}
+
+/** Handlers whose conditions are met fire: they are disabled, and their actions run as an interrupt of their task. @param {Machine} machine @param {Occurred | null} event */
+export function scanHandlers(machine, event) {
+  const { state, image } = machine;
+  for (const handler of state.handlers) {
+    if (!handler.isEnabled) continue;
+    const task = state.tasks[handler.task];
+    const frame = task?.frames[0];
+    if (!task || task.status === 'ended' || !frame) continue;
+    const { conditions, actions } = image.handlers[handler.handler];
+    machine.globals = state.globals[image.codes[frame.code].program];
+    for (const [i, isMet] of conditions.entries()) {
+      if (!isMet(machine, frame, handler.before[i], event)) continue;
+      handler.isEnabled = false;
+      pushFrame(machine, task, actions[i], [], -1);
+      // What interrupts does not wait for what it interrupts; the wait is looked at again afterwards.
+      task.wake = Math.min(task.wake, state.time);
+      break;
+    }
+  }
+}
+
+/** What time brings: pulses end, timers run. @param {Machine} machine */
+export function passTime({ state }) {
+  for (const { holder, key, since, from } of state.timers) holder[key] = Math.trunc(from + state.time - since);
+  const over = state.pulses.filter(({ at }) => at <= state.time);
+  if (over.length === 0) return;
+  for (const { port, index, value } of over) (state.ports[port] ??= {})[index] = value;
+  state.pulses = state.pulses.filter(({ at }) => at > state.time);
+}
+
+/** @type {Instruction} */
+export function returnNothing(machine) {
+  const task = machine.state.tasks[machine.state.current];
+  task.frames.pop();
+  return task.frames.length ? SWITCH : OVER;
+}

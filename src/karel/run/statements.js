@@ -1,0 +1,287 @@
+/**
+ * Statements as instructions.
+ *
+ * @import { Expression, Statement } from '../tree.js'
+ * @import { Compiler } from './compiler.js'
+ */
+import { compileAssignment } from './assignment.js';
+import { emitEffect, emitPlain } from './emit.js';
+import { compileCall, emitCall, compileExpression, compileReference } from './expressions.js';
+import { compileConditions, compileHandler } from './handlers.js';
+import { HALT, OVER, SCAN, scanHandlers, SWITCH } from './machine.js';
+import { compileMove } from './motion.js';
+import { compileDelay, compilePulse } from './time.js';
+import { compileFileStatement, compileTransfer } from './transfer.js';
+import { Alarm, copied, number, single, text, truth, whole } from './values.js';
+
+/** @param {readonly Statement[]} body @param {Compiler} compiler */
+export function compileBody(body, compiler) {
+  for (const statement of body) {
+    compiler.line = statement.span?.line ?? compiler.line;
+    if (compiler.linker.host.traceSteps && statement.kind !== 'comment' && statement.kind !== 'directive')
+      emitStep(compiler);
+    compileStatement(statement, compiler);
+  }
+}
+
+/** @param {Compiler} compiler */
+function emitStep(compiler) {
+  const { line, code } = compiler;
+  const next = compiler.here() + 1;
+  compiler.emit((machine, frame) => {
+    machine.effect = { kind: 'step', line, routine: code.name };
+    frame.pc = next;
+    return HALT;
+  });
+}
+
+/** @param {Statement} statement @param {Compiler} compiler */
+function compileStatement(statement, compiler) {
+  switch (statement.kind) {
+    case 'assign':
+      return compileAssignment(statement.target, compileExpression(statement.value, compiler), compiler);
+    case 'call':
+      return compileCallStatement(statement, compiler);
+    case 'if':
+      return compileIf(statement, compiler);
+    case 'select':
+      return compileSelect(statement, compiler);
+    case 'for':
+      return compileFor(statement, compiler);
+    case 'while': {
+      const start = compiler.here();
+      const jump = emitBranch(statement.condition, compiler);
+      compileBody(statement.body, compiler);
+      compiler.emit(() => start);
+      jump.to(compiler.here());
+      return;
+    }
+    case 'repeat': {
+      const start = compiler.here();
+      compileBody(statement.body, compiler);
+      compiler.line = statement.until.span?.line ?? compiler.line;
+      emitBranch(statement.until, compiler).to(start);
+      return;
+    }
+    case 'label':
+      compiler.labels.set(statement.name.toUpperCase(), compiler.here());
+      return;
+    case 'goto': {
+      const { labels } = compiler;
+      const label = statement.label.toUpperCase();
+      compiler.emit(() => labels.get(label) ?? missingLabel(label));
+      return;
+    }
+    case 'return':
+      return compileReturn(statement.value, compiler);
+    case 'abort':
+      return void compiler.emit((machine) => {
+        machine.effect = { kind: 'abort' };
+        return OVER;
+      });
+    case 'pause':
+      return emitEffect(compiler, () => ({ kind: 'pause' }));
+    case 'delay':
+      return compileDelay(compileExpression(statement.milliseconds, compiler), compiler);
+    case 'wait': {
+      const isMet = compileConditions(statement.conditions, compiler);
+      const before = compiler.temporary();
+      const at = compiler.here();
+      return void compiler.emit((machine, frame) => {
+        const memory = /** @type {boolean[]} */ (frame.locals[before] ??= []);
+        if (isMet(machine, frame, memory, null)) {
+          frame.locals[before] = undefined;
+          return at + 1;
+        }
+        machine.state.tasks[machine.state.current].wake = machine.state.time + SCAN;
+        frame.pc = at;
+        return HALT;
+      });
+    }
+    case 'pulse':
+      return compilePulse(statement, compiler);
+    case 'write':
+    case 'read':
+      return compileTransfer(statement, compiler);
+    case 'open-file':
+    case 'close-file':
+    case 'cancel-file':
+      return compileFileStatement(statement, compiler);
+    case 'using':
+      return compileBody(statement.body, compiler);
+    case 'condition':
+      return compileHandler(statement, compiler, compileBody);
+    case 'handler-control': {
+      const { action } = statement;
+      const index = compileExpression(statement.number, compiler);
+      return emitPlain(compiler, (machine, frame) => {
+        const { state } = machine;
+        const wanted = number(index(machine, frame));
+        const found = state.handlers.find((one) => one.number === wanted && one.task === state.current);
+        if (!found) throw new Alarm(`CONDITION[${wanted}] is not defined`, 'condition');
+        found.isEnabled = action === 'ENABLE';
+        if (action === 'ENABLE') found.before = found.before.map(() => []);
+        if (action === 'PURGE') state.handlers.splice(state.handlers.indexOf(found), 1);
+      });
+    }
+    case 'signal': {
+      const index = compileExpression(statement.number, compiler);
+      const isEvent = statement.what === 'EVENT';
+      const after = compiler.here() + 1;
+      return void compiler.emit((machine, frame) => {
+        const wanted = number(index(machine, frame));
+        frame.pc = after;
+        if (isEvent) scanHandlers(machine, { name: 'EVENT', number: wanted });
+        else machine.state.semaphores[wanted] = (machine.state.semaphores[wanted] ?? 0) + 1;
+        return SWITCH;
+      });
+    }
+    case 'timer': {
+      const at = compileReference(statement.variable, compiler);
+      const isConnect = statement.action === 'CONNECT';
+      return emitPlain(compiler, (machine, frame) => {
+        const { state } = machine;
+        const { holder, key } = at(machine, frame);
+        state.timers = state.timers.filter((timer) => timer.holder !== holder || timer.key !== key);
+        if (isConnect) state.timers.push({ holder, key, since: state.time, from: number(holder[key] ?? 0) });
+      });
+    }
+    case 'motion-control': {
+      const { action } = statement;
+      return emitEffect(compiler, () => ({ kind: 'motion-control', action }));
+    }
+    case 'hand': {
+      const { action } = statement;
+      const index = compileExpression(statement.number, compiler);
+      return emitEffect(compiler, (machine, frame) => ({
+        kind: 'hand',
+        action,
+        number: number(index(machine, frame)),
+      }));
+    }
+    case 'move':
+      return compileMove(statement, compiler);
+    case 'comment':
+    case 'directive':
+    case 'action':
+  }
+}
+
+/** @param {string} label @returns {never} */
+function missingLabel(label) {
+  throw new Alarm(`the label "${label}" is not in this routine`, 'label');
+}
+
+/** Jump where a condition is not met. @param {Expression} condition @param {Compiler} compiler */
+function emitBranch(condition, compiler) {
+  const value = compileExpression(condition, compiler);
+  const next = compiler.here() + 1;
+  let target = next;
+  compiler.emit((machine, frame) => (truth(value(machine, frame)) ? next : target));
+  return { to: (/** @type {number} */ place) => void (target = place) };
+}
+
+/** @param {Extract<Statement, { kind: 'if' }>} statement @param {Compiler} compiler */
+function compileIf({ condition, then, else: otherwise }, compiler) {
+  const jump = emitBranch(condition, compiler);
+  compileBody(then, compiler);
+  if (!otherwise) return jump.to(compiler.here());
+  let end = 0;
+  compiler.emit(() => end);
+  jump.to(compiler.here());
+  compileBody(otherwise, compiler);
+  end = compiler.here();
+}
+
+/** @param {Extract<Statement, { kind: 'select' }>} statement @param {Compiler} compiler */
+function compileSelect({ value, cases, else: otherwise }, compiler) {
+  const slot = compiler.temporary();
+  const wanted = compileExpression(value, compiler);
+  emitPlain(compiler, (machine, frame) => void (frame.locals[slot] = number(wanted(machine, frame))));
+  let end = 0;
+  for (const { values, body } of cases) {
+    const choices = values.map((choice) => compileExpression(choice, compiler));
+    const next = compiler.here() + 1;
+    let further = 0;
+    compiler.emit((machine, frame) =>
+      choices.some((choice) => choice(machine, frame) === frame.locals[slot]) ? next : further,
+    );
+    compileBody(body, compiler);
+    compiler.emit(() => end);
+    further = compiler.here();
+  }
+  if (otherwise) compileBody(otherwise, compiler);
+  else {
+    compiler.emit((_, frame) => {
+      throw new Alarm(`no CASE for ${frame.locals[slot]}, and no ELSE`, 'select');
+    });
+  }
+  end = compiler.here();
+}
+
+/** @param {Extract<Statement, { kind: 'for' }>} statement @param {Compiler} compiler */
+function compileFor({ variable, from, to, down, body }, compiler) {
+  const first = compileExpression(from, compiler);
+  const last = compileExpression(to, compiler);
+  const at = compileReference(variable, compiler);
+  const limit = compiler.temporary();
+  const step = down ? -1 : 1;
+  emitPlain(compiler, (machine, frame) => {
+    const { holder, key } = at(machine, frame);
+    holder[key] = number(first(machine, frame));
+    frame.locals[limit] = number(last(machine, frame));
+  });
+  const next = compiler.here() + 1;
+  let end = 0;
+  compiler.emit((machine, frame) => {
+    const { holder, key } = at(machine, frame);
+    return (number(frame.locals[limit]) - number(holder[key])) * step >= 0 ? next : end;
+  });
+  compileBody(body, compiler);
+  compiler.emit((machine, frame) => {
+    const { holder, key } = at(machine, frame);
+    holder[key] = whole(number(holder[key]) + step);
+    return next - 1;
+  });
+  end = compiler.here();
+}
+
+/** @param {Expression | undefined} value @param {Compiler} compiler */
+function compileReturn(value, compiler) {
+  const result = value ? compileExpression(value, compiler) : null;
+  const isReal = compiler.routine?.returns.kind === 'REAL';
+  compiler.emit((machine, frame) => {
+    const task = machine.state.tasks[machine.state.current];
+    const given = result && copied(result(machine, frame));
+    task.frames.pop();
+    const caller = task.frames.at(-1);
+    if (!caller) return OVER;
+    if (frame.result >= 0) caller.locals[frame.result] = isReal ? single(number(given)) : given;
+    return SWITCH;
+  });
+}
+
+/** @param {Extract<Statement, { kind: 'call' }>} statement @param {Compiler} compiler */
+function compileCallStatement(statement, compiler) {
+  const symbol = compiler.routineNamed(statement.name);
+  if (symbol) return emitCall(statement, symbol, -1, compiler);
+  const upper = statement.name.toUpperCase();
+  if (upper === 'CALL_PROG' || upper === 'RUN_TASK') {
+    const name = compileExpression(statement.args[0], compiler);
+    return emitEffect(compiler, (machine, frame) => ({
+      kind: upper === 'RUN_TASK' ? 'run-task' : 'call',
+      program: text(name(machine, frame)).toUpperCase(),
+      args: [],
+    }));
+  }
+  const run = compileCall(statement, compiler);
+  const { line } = compiler;
+  const next = compiler.here() + 1;
+  compiler.emit((machine, frame) => {
+    run(machine, frame);
+    if (!machine.effect) return next;
+    machine.effect.line = line;
+    frame.pc = next;
+    return HALT;
+  });
+}

@@ -1,0 +1,48 @@
+/**
+ * DELAY and PULSE.
+ *
+ * @import { Statement } from '../tree.js'
+ * @import { Compiler } from './compiler.js'
+ * @import { Evaluate } from './machine.js'
+ */
+import { emitPlain } from './emit.js';
+import { compileExpression, compileReference } from './expressions.js';
+import { HALT } from './machine.js';
+import { number } from './values.js';
+
+/** @param {Evaluate} milliseconds @param {Compiler} compiler */
+export function compileDelay(milliseconds, compiler) {
+  const until = compiler.temporary();
+  const at = compiler.here();
+  compiler.emit((machine, frame) => {
+    const { state } = machine;
+    const end = /** @type {number} */ (frame.locals[until] ??= state.time + number(milliseconds(machine, frame)));
+    if (state.time >= end) {
+      frame.locals[until] = undefined;
+      return at + 1;
+    }
+    state.tasks[state.current].wake = end;
+    frame.pc = at;
+    return HALT;
+  });
+}
+
+/** @param {Extract<Statement, { kind: 'pulse' }>} statement @param {Compiler} compiler */
+export function compilePulse({ port, milliseconds, nowait }, compiler) {
+  const time = compileExpression(milliseconds, compiler);
+  const at = compileReference(port, compiler);
+  const name = port.kind === 'index' && port.target.kind === 'name' ? port.target.name.toUpperCase() : '';
+  emitPlain(compiler, (machine, frame) => {
+    const { holder, key } = at(machine, frame);
+    const value = holder[key] === true;
+    holder[key] = !value;
+    machine.state.pulses.push({
+      kind: 'pulse',
+      port: name,
+      index: Number(key),
+      value,
+      at: machine.state.time + number(time(machine, frame)),
+    });
+  });
+  if (!nowait) compileDelay(time, compiler);
+}

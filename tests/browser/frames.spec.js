@@ -72,6 +72,12 @@ test('a user frame is offered where axes are chosen, and its targets move with i
   await type(page, 'part, X, millimetres', '500');
   await page.getByRole('button', { name: 'Aim at aim_1' }).click();
   await expect(page.getByLabel(/^Target X,/)).toHaveValue('500');
+  // a helper finds the kept target where it stands in the world
+  await page.getByLabel(/^Target X,/).fill('450');
+  await page.locator('.aim-panel [data-ask=helpers]').click();
+  const places = page.getByRole('group', { name: 'The orientation stays; at the place of' });
+  await places.getByRole('button', { name: 'aim_1', exact: true }).click();
+  await expect(page.getByLabel(/^Target X,/)).toHaveValue('500');
 
   // the same target, told as a controller tells it in its user frame
   await page.locator('.aim-panel').getByRole('button', { name: 'in world' }).click();

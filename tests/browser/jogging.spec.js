@@ -73,8 +73,10 @@ test('each button takes the tool along or about its axis, in each frame, by the 
   await expectAccessible(page, { within: '.jog-panel' });
 });
 
-test('what is held moves by the clock until it is let go, and is one step to undo', async ({ page }) => {
-  await page.goto('./?quality=low&theme=light&hint=off&clock=manual');
+test('what is held moves by the clock until it is let go, is one step to undo, and has its curves; a singularity ends it', async ({
+  page,
+}) => {
+  await page.goto('./?quality=low&theme=light&hint=off&clock=manual&panels=jog,pose');
   const ticks = (/** @type {number} */ count, seconds = 1 / 50) =>
     page.evaluate(
       ([n, dt]) => {
@@ -87,17 +89,33 @@ test('what is held moves by the clock until it is let go, and is one step to und
   await button(page, 'Tool').click();
   await expect.poll(async () => (await ticks(1), page.locator('.jog-key').count())).toBe(12);
   await button(page, 'Hold').click();
-  await ticks(1);
+  await page.locator('#fold-motion').click();
+  const curves = page.locator('#fold-motion-body');
+  await expect.poll(async () => (await ticks(1), curves.textContent())).toContain('Nothing has moved');
+  const curve = (/** @type {string} */ name) =>
+    curves.getByRole('row', { name: new RegExp(`^${name} `) }).getByRole('cell');
   const start = await pose(page);
   const home = await joints(page);
   await button(page, 'Z, minus').hover();
   await page.mouse.down();
-  await ticks(50); // a second at half of 250 mm/s
+  const plot = () => curves.locator('canvas').first().evaluate((canvas) => /** @type {HTMLCanvasElement} */ (canvas).toDataURL()); // prettier-ignore
+  await ticks(25);
+  const rolling = await plot();
+  await ticks(25); // a second at half of 250 mm/s
   const there = await pose(page);
   expect(there[2][3] - start[2][3]).toBeCloseTo(-0.125, 6);
+  await expect(curve('Speed')).toHaveText(['125.0 mm/s', '125.0 mm/s', '125.0 mm/s']);
+  const second = (/** @type {number[]} */ q) => `${q[1].toFixed(1)}°`;
+  const low = await joints(page);
   await page.mouse.up();
-  await ticks(20);
+  await ticks(40);
   expect(await pose(page)).toEqual(there);
+  await expect(curve('J2')).toHaveText([second(low), ...[low, home].map(second).sort()]);
+  await expect(curve('Speed').first()).toHaveText('0.0 mm/s'); // at rest, and no curve runs on
+  const drawn = await plot();
+  expect(drawn).not.toBe(rolling);
+  await ticks(40);
+  expect(await plot()).toBe(drawn);
   await page.keyboard.press('Control+z');
   expect(await joints(page)).toEqual(home);
 
@@ -122,6 +140,29 @@ test('what is held moves by the clock until it is let go, and is one step to und
   await ticks(60, 1 / 10);
   await expect(page.locator('.jog-word')).toContainText('Stopped: J');
   await page.mouse.up();
+
+  // Axes 4 and 6 are in line: the tool cannot turn about its own X, and the button that is still down moves nothing.
+  await page.evaluate(() => window.denavit.setJoints([0, 45, -180, 0, 0, 0]));
+  await button(page, 'Tool').last().click();
+  await ticks(3);
+  const straight = await joints(page);
+  await button(page, 'Turn about X, plus').hover();
+  await page.mouse.down();
+  await ticks(20);
+  await expect(page.locator('.jog-word')).toContainText('Stopped at a singularity');
+  await expect
+    .poll(async () => (await ticks(2), page.locator('.lost-line').textContent()))
+    .toContain('turning about X 0.71, Z 0.71');
+  await expect.poll(async () => (await ticks(2), page.locator('.tag.miss:visible').allTextContents())).toEqual(['no motion this way']); // prettier-ignore
+  expect(await joints(page)).toEqual(straight);
+  await page.mouse.up();
+  await button(page, 'Turn about Y, plus').hover();
+  await page.mouse.down();
+  await ticks(10);
+  await page.mouse.up();
+  await ticks(3);
+  expect(await joints(page)).not.toEqual(straight);
+  await expect(page.locator('.lost-line')).toBeHidden();
 });
 
 test('keys alone: a frame, a typed step, a step each way, and joints', async ({ page }) => {

@@ -62,8 +62,6 @@ const clock = manualClock ?? createBrowserClock();
 const shell = createShell(parameters.panels);
 const messages = createMessages(shell.notices);
 const theme = createTheme(parameters.theme);
-/** Words for what the address got wrong are fetched when it did. */
-const parameterWords = () => import('./ui/parameterWarnings.js');
 
 /** @type {() => void} */
 let sayReady = () => {};
@@ -111,11 +109,6 @@ function stand(robot, isOther, link) {
   const { units, q, frames, projection } = parameters;
   const trace = parameters.trace === 'on' ? 0 : null;
   const { doc, faults } = link?.doc ? { doc: link.doc, faults: [] } : startDocument(robot, { units, q, isOther });
-  if (faults.length > 0) {
-    parameterWords().then(({ startFaultInWords }) => {
-      for (const fault of faults) messages.warn(startFaultInWords(fault, robot.name));
-    }, messages.fault);
-  }
   /** @type {Store<AppState, Action>} */
   const store = createStore(startState(doc), reduce);
   store.dispatch({ type: 'show', change: { frames, projection, trace } });
@@ -128,7 +121,10 @@ function stand(robot, isOther, link) {
   const announce = createAnnouncer();
   const page = { store, addView, derived, clock, announce, messages, opener: createOpener(store), camera };
 
-  if (refused.length > 0) parameterWords().then((words) => words.warnOfParameters(page, refused), messages.fault);
+  if (refused.length + faults.length > 0) {
+    // Words for what the address got wrong are fetched when it did.
+    import('./ui/parameterWarnings.js').then((words) => words.warnOfParameters(page, refused, faults), messages.fault);
+  }
   const files = createFiles(page);
   const openHelp = async () => {
     const { showHelp } = await import('./ui/help.js'); // messages.js says it when that fails

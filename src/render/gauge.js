@@ -32,7 +32,7 @@ export function createGauge({ index, excess, labels, text, ...options }) {
 
   /** @param {string} className @param {number} gap @returns {Label & { from: Vector3 }} */
   const addLabel = (className, gap) =>
-    Object.assign(labels.add(className), { parent: group, from: new Vector3(), gap });
+    Object.assign(labels.add(className), { parent: group, from: new Vector3(), gap, stays: true });
   /** @param {Label & { from: Vector3 }} label @param {number} q */
   function put(label, q) {
     label.at.set(...face.tip(q));

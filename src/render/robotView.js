@@ -60,12 +60,12 @@ export function createRobotView({ store, addView, derived, clock }, options) {
       shown = { edition, name: robot.name, reach: chain.reach };
     },
   );
-  let settled = store.state.doc.robot;
+  let settled = store.state.doc;
   addView(
-    together(({ doc, gesture }) => [doc.robot, gesture === null]),
-    ([robot, isOver]) => {
-      if (!isOver || robot === settled) return; // not while somebody types or drags
-      settled = robot;
+    together(({ doc, gesture }) => [doc.robot, doc.posture, gesture === null]),
+    ([robot, posture, isOver]) => {
+      if (!isOver || (robot === settled.robot && posture === settled.posture)) return; // not while somebody types or drags
+      settled = store.state.doc;
       stage.keepInPicture();
     },
   );

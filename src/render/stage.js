@@ -131,7 +131,7 @@ export function createStage({ host, clock, quality, text, isCalm = () => false, 
     fit(isAtHome && view.isUntouched ? { from: 'home' } : {});
   }
 
-  /** An arm that has grown out of the picture, where nobody has chosen what is seen of it, is brought back. */
+  /** An arm that has grown or gone out of the picture, where nobody has chosen what is seen of it, is brought back. */
   function keepInPicture() {
     const extent = scene.extent();
     if (!isFitted || left || !extent || !surface?.width || !view.isUntouched || view.hasAll(extent.corners)) return;

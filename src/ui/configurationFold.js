@@ -8,15 +8,15 @@ import { hasPendant } from '../model/controllerData.js';
 import { foldMaker } from './fold.js';
 import { TEXT } from './strings.js';
 
-/** @param {Page} page */
-export function createConfigurationFold(page) {
+/** @param {Page} page @param {boolean} isWanted  not without the pose that it is about */
+export function createConfigurationFold(page, isWanted) {
   const fold = foldMaker(page.clock, page.messages.fault)('fold-configuration', async (body) =>
     (await import('./configurationLine.js')).createConfigurationLine(page, body),
   );
   fold.setHead(TEXT.pose.configuration);
   page.addView(
     ({ doc }) => hasPendant(doc.robot),
-    (isOffered) => (fold.element.hidden = !isOffered),
+    (isOffered) => (fold.element.hidden = !isWanted || !isOffered),
   );
   page.addView(
     ({ session }) => session.numbers.isPendant,

@@ -110,6 +110,7 @@ export function createFrameMenus(page) {
         const active = activeFrame(store.state.doc, kind);
         const none = kind === 'tool' && hasOwnTool() ? FRAMES.own : PENDANT.noFrame[kind];
         fill(name, active ? nameOf(active) : none);
+        name.title = name.textContent ?? ''; // a long one is clipped
       }
       reason.hidden = true;
     },

@@ -92,6 +92,18 @@ export function createJogPanel(page, host) {
     announce(keepsLimits ? TEXT.jog.keepsNow : TEXT.jog.keepsNot);
   });
 
+  /** How long the numbers can become: the fields of all rows are as wide. @param {JointNumbers} joints */
+  function mostDigits(joints) {
+    const { units, joints: shown } = joints.robot(store.state.doc);
+    const values = joints.values(store.state.doc);
+    const texts = shown.flatMap((joint, i) =>
+      [...Object.values(limitsOf(joint)), values[i]]
+        .filter(Number.isFinite)
+        .map((value) => jointNumber(value, unitOf(joint, units))),
+    );
+    return Math.max(...texts.map(({ length }) => length));
+  }
+
   let said = '';
   function sayRemarks() {
     const { doc } = store.state;
@@ -146,6 +158,7 @@ export function createJogPanel(page, host) {
             list,
             rows.map(({ row }) => row),
           );
+          list.style.setProperty('--digits', String(mostDigits(joints)));
           keepRow.hidden = robot.joints.every((joint) =>
             Object.values(limitsOf(joint)).every((limit) => !Number.isFinite(limit)),
           );

@@ -4,7 +4,7 @@
  * @import { Page } from './page.js'
  *
  * @typedef {object} Note
- * @property {string} text
+ * @property {string | readonly string[]} text  one sentence for each thing; several are a list
  * @property {readonly { name: string, run: () => void, isUsual?: boolean, stays?: boolean }[]} [actions]  each closes the
  *   note unless it `stays`
  * @property {string} close  the name of the cross
@@ -33,7 +33,13 @@ export function showNote({ messages }, { text, actions = [], close, isWarning = 
     'div',
     { class: `notice note ${isWarning ? '' : 'is-quiet'}`.trim(), role: isWarning ? 'alert' : 'status' },
     isWarning && icon('exclamation'),
-    h('p', {}, text),
+    typeof text === 'string'
+      ? h('p', {}, text)
+      : h(
+          'ul',
+          { class: 'note-list', tabindex: 0 }, // a long one scrolls
+          text.map((one) => h('li', {}, one)),
+        ),
     h('div', { class: 'note-actions' }, buttons),
     cross,
   );

@@ -45,13 +45,22 @@ function expected(kind, text, values) {
   return near.length > 0 && PARAMETER.nearest(near);
 }
 
-/** @param {Page} page @param {readonly Refused[]} refused */
-export function warnOfParameters(page, refused) {
-  for (const one of refusedInWords(refused.filter(isOtherRobot))) {
-    const run = async () => (await import('./robotPicker.js')).openRobotPicker(page); // messages.js says it when that fails
-    showNote(page, { text: one, close: TEXT.close, isWarning: true, actions: [{ name: PARAMETER.seeAll, run }] });
-  }
-  refusedInWords(refused.filter((one) => !isOtherRobot(one))).forEach(page.messages.warn);
+/**
+ * All of it in one note: a screen is small.
+ * @param {Page} page
+ * @param {readonly Refused[]} refused
+ * @param {readonly StartFault[]} faults
+ */
+export function warnOfParameters(page, refused, faults) {
+  const { name } = page.store.state.doc.robot;
+  const sentences = [...refusedInWords(refused), ...faults.map((fault) => startFaultInWords(fault, name))];
+  const run = async () => (await import('./robotPicker.js')).openRobotPicker(page); // messages.js says it when that fails
+  showNote(page, {
+    text: sentences.length === 1 ? sentences[0] : sentences,
+    close: TEXT.close,
+    isWarning: true,
+    actions: refused.some(isOtherRobot) ? [{ name: PARAMETER.seeAll, run }] : [],
+  });
 }
 
 /** A robot was asked for that is none of the library. @param {Refused} refused */

@@ -30,7 +30,8 @@ const REST_SECONDS = 0.8;
 export function createPosePanel(page, host) {
   const { store, addView, derived } = page;
   const parts = createPoseParts();
-  fill(host, parts.header, parts.bar, parts.body, parts.note, createConfigurationFold(page));
+  fill(host, parts.header, parts.bar, parts.body, parts.note);
+  host.after(createConfigurationFold(page, !host.hidden)); // on a phone it comes after the sliders
 
   const unitsNow = () => store.state.doc.robot.units;
   const unitFor = (/** @type {number} */ k) => unitsNow()[k < 3 ? 'length' : 'angle'];

@@ -104,7 +104,7 @@ for (const [width, height] of [
 
 test('a bad or unknown query parameter is a visible warning, and the page stands', async ({ page }) => {
   await open(page, 'robot=r2d2&cat=%3Cb%3E');
-  await expect(page.getByRole('alert')).toHaveText([
+  await expect(page.getByRole('alert').getByRole('listitem')).toHaveText([
     /\?robot=r2d2 is not understood\. Using puma560\./,
     'There is no ?cat parameter.',
   ]);

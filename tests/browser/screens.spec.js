@@ -65,10 +65,51 @@ test('the address says from where the arm is seen, how, and with which frames', 
   await page.getByRole('button', { name: 'Direction of view' }).click();
   await expect(page.locator('.dropdown-item[aria-current]')).toHaveText('Parallel (orthographic)');
   await open(page, 'view=under&frames=some');
-  await expect(page.getByRole('alert')).toHaveText([
+  await expect(page.getByRole('alert').getByRole('listitem')).toHaveText([
     '?view=under is not understood. Expected iso, front, back, left, right, top or bottom. Using iso.',
     '?frames=some is not understood. Expected none, ends, row or all. Using ends.',
   ]);
+});
+
+test('an arm that is pulled out of the picture comes back into it once the hand is off, unless the view was turned', async ({
+  page,
+}) => {
+  await open(page, 'robot=planar2r&view=top');
+  await settled(page);
+  const slider = page.getByLabel('Joint 1', { exact: true });
+  const track = await slider.boundingBox();
+  if (!track) throw new Error('There is no slider.');
+  const at = (/** @type {number} */ share) => track.x + track.width * share;
+  const isSeen = () =>
+    page.evaluate(() => {
+      const [tcp, view] = ['.tag.dot', 'canvas'].map((one) => document.querySelector(one)?.getBoundingClientRect());
+      return (
+        !!tcp &&
+        !!view &&
+        tcp.left > view.left &&
+        tcp.right < view.right &&
+        tcp.top > view.top &&
+        tcp.bottom < view.bottom
+      );
+    });
+  expect(await isSeen()).toBe(true);
+  const pull = async (/** @type {number} */ to) => {
+    await page.mouse.move(at(0.5), track.y + track.height / 2);
+    await page.mouse.down();
+    await page.mouse.move(at(to), track.y + track.height / 2, { steps: 3 });
+    await settled(page);
+  };
+  await pull(0.2);
+  expect(await isSeen()).toBe(false);
+  await page.mouse.up();
+  await expect.poll(isSeen).toBe(true);
+  await settled(page);
+  await page.locator('canvas').focus();
+  for (let times = 0; times < 6; times++) await page.keyboard.press('+'); // nearer, by hand
+  await pull(0.8);
+  await page.mouse.up();
+  await settled(page);
+  expect(await isSeen()).toBe(false);
 });
 
 test('on another screen, or zoomed, the picture has the pixels of that screen', async ({ page }) => {

@@ -55,6 +55,7 @@ import { SHORTCUTS, createShortcuts } from './ui/shortcuts.js';
 import { createTheme } from './ui/theme.js';
 import { createTouchKeys } from './ui/touchKeys.js';
 import { createViewPanel } from './ui/viewPanel.js';
+import { whenFirst } from './ui/whenFirst.js';
 
 const { values: parameters, refused } = readQueryParameters(location.search, SCHEMA);
 const manualClock = parameters.clock === 'manual' ? createManualClock() : null;
@@ -162,6 +163,18 @@ function stand(robot, isOther, link) {
     async () => {
       const { createJacobianPanel } = await import('./ui/jacobianPanel.js');
       return (host) => createJacobianPanel(page, host);
+    },
+  );
+  whenFirst(
+    page,
+    ({ doc }) => doc.motionPrograms.length > 0 && shell.has('program'),
+    async () => {
+      const [{ createTimeline }, { createProgramView }] = await Promise.all([
+        import('./ui/timeline.js'),
+        import('./render/programView.js'),
+      ]);
+      const { text } = createTimeline(page, shell.time, shell.view);
+      if (stage) createProgramView(page, stage, text);
     },
   );
   createJogPanel(page, shell.jog);

@@ -2,6 +2,7 @@
  * A planned motion as series over its time: what plots, tables and the path in the scene are made of. Metres, radians, seconds.
  *
  * @import { Chain } from '../kinematics/chain.js'
+ * @import { Move } from '../motion/moves.js'
  * @import { MotionPlan } from '../motion/plan.js'
  *
  * @typedef {object} PlanSeries
@@ -32,6 +33,9 @@ const BEFORE = 1e-6;
 /** Samples between two looks at the clock. */
 const SLICE = 32;
 
+/** Samples a second, and at least and at most. */
+const SAMPLES = { rate: 80, least: 400, most: 2400 };
+
 /**
  * Evenly spread times, with those at which moves meet.
  * @param {Pick<MotionPlan, 'parts' | 'duration'>} plan
@@ -54,6 +58,20 @@ export function steppedTimes(duration, step) {
   const whole = Math.floor(duration / step + 1e-9);
   const times = Array.from({ length: whole + 1 }, (_, i) => i * step);
   return Float64Array.from(duration - times[whole] > 1e-9 ? [...times, duration] : times);
+}
+
+/**
+ * The series of a planned program, as fine as plots want it, or at times of one's own.
+ * @param {{ readonly plan: MotionPlan, readonly moves: readonly Move[] }} planned
+ * @param {Chain} chain
+ * @param {Float64Array} [times]
+ */
+export function seriesOf({ plan, moves }, chain, times) {
+  const count = Math.round(Math.min(SAMPLES.most, Math.max(SAMPLES.least, SAMPLES.rate * plan.duration)));
+  return sampleSeries(plan, times ?? sampleTimes(plan, count), (index) => {
+    const move = moves[index];
+    return (move && 'chain' in move && move.chain) || chain;
+  });
 }
 
 /**

@@ -2,7 +2,7 @@
  * The player of a motion program: where in its time it is, and whether time runs. Every function makes another playback of
  * one; none knows a clock, an arm or a screen.
  *
- * @import { MotionPlan } from '../motion/plan.js'
+ * @import { MotionPart, MotionPlan } from '../motion/plan.js'
  *
  * @typedef {object} Playback
  * @property {string} program     the id of the motion program
@@ -92,11 +92,26 @@ export function after(playback, seconds, duration) {
 /** @param {{ readonly time: number }} playback @param {number} duration */
 export const isAtEnd = ({ time }, duration) => time >= duration - AT_MARK;
 
+/**
+ * The moves over their time: a move that was planned in several parts is one.
+ * @param {Pick<MotionPlan, 'parts'>} plan
+ */
+export function movesInTime({ parts }) {
+  /** @type {{ move: number, kind: MotionPart['kind'], begin: number, end: number }[]} */
+  const moves = [];
+  for (const { move, kind, begin, end } of parts) {
+    const last = moves[moves.length - 1];
+    if (last?.move === move) last.end = end;
+    else moves.push({ move, kind, begin, end });
+  }
+  return moves;
+}
+
 /** The moments at which moves begin, and the end. @param {Pick<MotionPlan, 'parts' | 'duration'>} plan @returns {number[]} */
-export function marksOf({ parts, duration }) {
+export function marksOf(plan) {
   /** @type {number[]} */
   const marks = [];
-  for (const time of [0, ...parts.map(({ begin }) => begin).sort((a, b) => a - b), duration]) {
+  for (const time of [0, ...movesInTime(plan).map(({ begin }) => begin), plan.duration]) {
     if (marks.length === 0 || time > marks[marks.length - 1] + AT_MARK) marks.push(time);
   }
   return marks;

@@ -12,6 +12,7 @@
  * @import { JogStop } from './jog.js'
  * @import { JogChoices } from './jogChoices.js'
  * @import { NumbersView } from './numbersView.js'
+ * @import { Planning } from './planned.js'
  * @import { Playback } from './player.js'
  * @import { Recording } from './recording.js'
  * @import { Taught } from './threePoints.js'
@@ -60,6 +61,7 @@
  * @property {Playback | null} playback  of a motion program; null: none has been played or looked at
  * @property {string | null} step   the id of the step that is chosen, of the motion program that is shown
  * @property {Recording} recording  what "Record here" makes of the posture
+ * @property {Planning | null} planning  the program in time, or on its way there
  * @property {number} edition   counts how often the document was exchanged for another (opened, undone), not edited
  *
  * @typedef {History & { readonly session: Session }} AppState
@@ -112,6 +114,7 @@ const FRESH = {
   playback: null,
   step: null,
   recording: FIRST_RECORDING,
+  planning: null,
   edition: 0,
 };
 
@@ -192,7 +195,7 @@ function settle(state, history, next) {
 
 /** Another document's programs have been played by nobody. @param {AppState} state @param {AppState} before @returns {AppState} */
 const unplayed = (state, before) =>
-  state === before ? before : { ...state, session: { ...state.session, playback: null } };
+  state === before ? before : { ...state, session: { ...state.session, playback: null, planning: null } };
 
 /** @param {AppState} state @param {AppState} before @returns {AppState} */
 function exchanged(state, before) {

@@ -2,7 +2,7 @@
  * What the scene is made of, light and dark. The colours that panels share are read from the page's tokens (CSS custom
  * properties of the document's root); those of the arm itself are here.
  *
- * @typedef {typeof MATERIALS.light & { x: string, y: string, z: string, accent: string, ink: string, bad: string, trace: string }} Skin
+ * @typedef {typeof MATERIALS.light & { x: string, y: string, z: string, accent: string, ink: string, bad: string, trace: string, traceSlow: string }} Skin
  */
 const MATERIALS = {
   light: {
@@ -63,6 +63,7 @@ export const skinOf = (theme, token) => ({
   ink: token('--ink'),
   bad: token('--bad'),
   trace: token('--trace'),
+  traceSlow: token('--trace-slow'),
 });
 
 /** The skin that the page has on. */

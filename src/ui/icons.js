@@ -79,13 +79,16 @@ const DRAWINGS = {
 
 /** @typedef {keyof typeof DRAWINGS} IconName */
 
+/** @param {IconName} name @param {string} [className] */
+export const icon = (name, className) => iconOf(DRAWINGS[name], className);
+
 /**
- * @param {IconName} name
+ * @param {string} drawing  of the set, for a part of the page that is fetched with icons of its own
  * @param {string} [className]
  * @returns {SVGElement} hidden from assistive technology: the control beside it has the name
  */
-export function icon(name, className = '') {
-  const svg = new DOMParser().parseFromString(DRAWINGS[name], 'image/svg+xml').documentElement;
+export function iconOf(drawing, className = '') {
+  const svg = new DOMParser().parseFromString(drawing, 'image/svg+xml').documentElement;
   for (const attribute of ['width', 'height', 'fill', 'class']) svg.removeAttribute(attribute);
   svg.setAttribute('class', `i ${className}`.trim());
   svg.setAttribute('aria-hidden', 'true');

@@ -7,6 +7,7 @@
  */
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
+import { styleOf } from './curveStyle.js';
 import { plain } from './format.js';
 import { motionDrawing } from './motionDrawing.js';
 
@@ -14,13 +15,9 @@ const HEIGHT = { joints: 170, speed: 104 };
 const NAME_ROOM = 26; // px, at the right
 const RIGHT_AXIS = 52; // px
 const NAME_STEP = 12; // px from name to name
-const DASHES = [[], [], [8, 3], [7, 4], [2, 3], [9, 3, 2, 3]];
 
 const token = (/** @type {string} */ name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 const font = (/** @type {number} */ weight = 400) => `${weight} 11px ${token('--font-ui')}`;
-
-/** What draws the line of joint `i`: its token and its dashes. @param {number} i */
-export const styleOf = (i) => ({ token: `--j${(i % 6) + 1}`, dash: DASHES[i % DASHES.length] });
 
 /**
  * @param {HTMLElement} host

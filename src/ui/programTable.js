@@ -16,6 +16,7 @@
  */
 import $ from 'jquery/slim';
 import { isMove } from '../model/motionProgram.js';
+import { stepNow } from '../model/planning.js';
 import { editCell } from './cellEditor.js';
 import { fill, h, keepFocus, spoken } from './dom.js';
 import { compact, editable } from './format.js';
@@ -58,6 +59,8 @@ export function createStepTable(page, reasons, acts) {
   /** @type {ReturnType<typeof createRow>[]} */
   let rows = [];
   let shape = '';
+  /** The step that is being played. @type {number | null} */
+  let under = null;
 
   const indexOf = (/** @type {HTMLElement} */ within) => Number(within.closest('tr')?.dataset.row ?? -1);
   const stepAt = (/** @type {number} */ index) =>
@@ -88,6 +91,17 @@ export function createStepTable(page, reasons, acts) {
   watchTableKeys(element, cells, () => false);
   watchStepDrag(body, acts.move);
 
+  page.addView(
+    (state) => stepNow(state),
+    (index) => {
+      under = index;
+      markRunning();
+    },
+  );
+  function markRunning() {
+    for (const [i, { row }] of rows.entries()) row.classList.toggle('is-running', i === under);
+  }
+
   return {
     element,
     /** @param {Doc} doc @param {number} program @param {number} chosen @param {ReadonlyMap<number, string>} faults  of steps */
@@ -107,6 +121,7 @@ export function createStepTable(page, reasons, acts) {
           );
         });
       }
+      markRunning();
       for (const [i, row] of rows.entries()) row.refresh(doc, steps[i], i === chosen, faults.get(i) ?? null);
     },
     /** @param {number} index */

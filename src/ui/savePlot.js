@@ -70,31 +70,46 @@ async function pngOf(drawing) {
  * @param {() => SVGElement} draw  what stands by itself, as it is now
  */
 export const plotSavers = (page, name, draw) => [
-  saveButton(page, `${name}.svg`, () => textOf(draw())),
-  saveButton(page, `${name}.png`, () => pngOf(draw())),
+  saveButton(page, `${name}.svg`, draw),
+  saveButton(page, `${name}.png`, draw),
 ];
+
+/**
+ * A drawing that stands by itself, as a file.
+ * @param {Page} page
+ * @param {string} file  ends in .svg or .png
+ * @param {() => SVGElement} draw
+ */
+export const savePlot = (page, file, draw) =>
+  save(page, file, () => (file.endsWith('.svg') ? textOf(draw()) : pngOf(draw())));
 
 /**
  * @param {Page} page
  * @param {string} file
  * @param {() => string | Promise<Blob>} make
  */
-function saveButton({ announce, clock, messages }, file, make) {
-  const [, kind] = file.split('.');
-  const label = PLOT.save(kind.toUpperCase());
+async function save({ announce, clock, messages }, file, make) {
+  try {
+    download(file, await make(), file.endsWith('.svg') ? 'image/svg+xml' : 'image/png', clock);
+    announce(PLOT.saved(file));
+  } catch (error) {
+    messages.fault(error);
+  }
+}
+
+/**
+ * @param {Page} page
+ * @param {string} file
+ * @param {() => SVGElement} draw
+ */
+function saveButton(page, file, draw) {
+  const label = PLOT.save(file.slice(-3).toUpperCase());
   const button = h(
     'button',
     { type: 'button', class: 'btn quiet', title: PLOT.saveTitle(file) },
     icon('download'),
     label,
   );
-  button.addEventListener('click', async () => {
-    try {
-      download(file, await make(), kind === 'svg' ? 'image/svg+xml' : 'image/png', clock);
-      announce(PLOT.saved(file));
-    } catch (error) {
-      messages.fault(error);
-    }
-  });
+  button.addEventListener('click', () => savePlot(page, file, draw));
   return button;
 }

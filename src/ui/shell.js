@@ -45,6 +45,7 @@ export function createShell(asked = null) {
     jog: h('section', { class: 'sec jog-panel', 'data-room': 'jog', hidden: !has('jog') }),
     pose: h('section', { class: 'sec pose-panel', 'data-room': 'pose', hidden: !has('pose') }),
     aim: h('section', { class: 'sec aim-panel', 'data-room': 'aim', hidden: !has('aim') }),
+    time: h('section', { class: 'time', hidden: true }),
     dock: h('nav', { class: 'dock', 'aria-label': TEXT.panels.label }),
     notices: h('div', { class: 'notices' }),
   };
@@ -75,6 +76,7 @@ export function createShell(asked = null) {
       rooms.pose,
       rooms.aim,
     ),
+    rooms.time,
     rooms.dock,
     rooms.notices,
   );
@@ -84,7 +86,7 @@ export function createShell(asked = null) {
   }
   document.body.append(app);
   const first = asked?.[0] === 'pose' ? 'jog' : asked?.find((room) => room !== 'bar' && room !== 'pose');
-  return { app, ...rooms, shownTabs, shownPanels, first: PANELS.find((panel) => panel === first) ?? null };
+  return { app, ...rooms, has, shownTabs, shownPanels, first: PANELS.find((panel) => panel === first) ?? null };
 }
 
 /** @typedef {ReturnType<typeof createShell>} Shell */

@@ -1,0 +1,41 @@
+/** Plots of a motion program over its time. */
+
+export const PLOTS = {
+  title: 'Plots over time',
+  quantity: 'What is plotted',
+  layout: { label: 'Curves', strips: 'Strips', overlay: 'Overlay' },
+  table: 'Table',
+  tableTitle: 'The same numbers as a table',
+  tableOf: (/** @type {string} */ what) => `${what} over time`,
+  moves: 'Steps',
+  time: 'Time',
+  step: 'Step',
+  seconds: 's',
+  groups: {
+    values: 'Joint values',
+    rates: 'Joint rates',
+    accelerations: 'Accelerations',
+    jerks: 'Jerks',
+    place: 'Tool position',
+    orientation: 'Tool orientation',
+    speed: 'Tool speed',
+    turnSpeed: 'Tool turning speed',
+    manipulability: 'Manipulability',
+  },
+  /** In which frame, by which convention. */
+  notes: { place: 'in world', orientation: 'in world, WPR' },
+  picture: (/** @type {string} */ what, /** @type {string} */ seconds, /** @type {number} */ curves) =>
+    `${what} over ${seconds} seconds, ${curves === 1 ? 'one curve' : `${curves} curves`}, and the speed of the tool. The table has the numbers.`,
+  choose: (/** @type {string} */ name) => `${name}: its limits`,
+  export: 'Export',
+  csv: (/** @type {string} */ step) => `CSV, every ${step} ms`,
+  csvDetail: 'All of these for each moment, with units',
+  svg: 'SVG',
+  svgDetail: 'The plot as a drawing',
+  png: 'PNG',
+  pngDetail: 'The plot as a picture',
+  tooLong: (/** @type {string} */ rows) => `It would have more than ${rows} rows.`,
+  file: 'program',
+  saved: (/** @type {string} */ file) => `${file} is saved.`,
+  none: 'There is nothing to plot yet.',
+};

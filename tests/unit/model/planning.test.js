@@ -2,7 +2,6 @@
 import { describe, expect, test } from 'vitest';
 import { LIBRARY, newDocument } from '../../../src/model/library.js';
 import { isSameQuestion } from '../../../src/model/planning.js';
-import { newDocument } from '../../../src/model/newDocument.js';
 
 /** @import { MotionProgramDoc } from '../../../src/model/document.js' */
 

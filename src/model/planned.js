@@ -3,6 +3,7 @@
  *
  * @import { Doc, MotionProgramDoc } from './document.js'
  * @import { Issue } from './issues.js'
+ * @import { Assumption } from './motionPlan.js'
  * @import { PlanSeries } from './planSeries.js'
  * @import { MotionPlan } from '../motion/plan.js'
  * @import { JointLimits, Move } from '../motion/moves.js'
@@ -17,6 +18,7 @@
  * @property {readonly Move[]} moves
  * @property {readonly number[]} steps  of each move: its index in the program
  * @property {JointLimits} limits
+ * @property {readonly Assumption[]} assumptions  what nobody has said, and was taken for granted
  *
  * @typedef {object} Planning
  * @property {Question} question

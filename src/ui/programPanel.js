@@ -12,6 +12,7 @@ import { isMove } from '../model/motionProgram.js';
 import { motionMoves, postureAt } from '../model/motionPlan.js';
 import { poseHere, postureHere, recordedStep } from '../model/newSteps.js';
 import { firstPlayback } from '../model/player.js';
+import { planNow } from '../model/planning.js';
 import { shownProgram } from '../model/shownProgram.js';
 import { travelBetween } from '../model/solutions.js';
 import { together } from '../model/views.js';
@@ -22,6 +23,7 @@ import { emptyState } from './emptyState.js';
 import { foldMaker } from './fold.js';
 import { icon } from './icons.js';
 import { attempt } from './page.js';
+import { planNotes } from './planNotes.js';
 import { createPosturesList } from './posturesList.js';
 import { createProgramHead } from './programHead.js';
 import { createProgramName } from './programName.js';
@@ -30,6 +32,7 @@ import { createReasons } from './reasons.js';
 import { createStepCard } from './stepCard.js';
 import { emptyPicture } from './stepText.js';
 import { travelTo } from './travel.js';
+import { PLAN_NOTES } from './words/planNotes.js';
 import { POSTURES, PROGRAM } from './words/program.js';
 
 /**
@@ -214,7 +217,20 @@ export function createProgramPanel(page, host, files) {
 
   const fold = foldMaker(clock, messages.fault)('postures', async (body) => createPosturesList(page, body, files));
   fold.element.classList.add('postures');
-  fill(host, head.element, table.element, against, reasons.element, name.element, card.element, empty, fold.element);
+  const list = h('ul', { class: 'plan-notes sm' });
+  const notes = foldMaker(clock, messages.fault)('plan-notes', async (body) => void fill(body, list));
+  fill(
+    host,
+    head.element,
+    table.element,
+    against,
+    reasons.element,
+    name.element,
+    card.element,
+    notes.element,
+    empty,
+    fold.element,
+  );
   if (store.state.doc.postures.length > 0) fold.set(true);
 
   /** What cannot be a move is marked where it stands. Where the arm is decides nothing of it. */
@@ -255,6 +271,18 @@ export function createProgramPanel(page, host, files) {
       fill(issue, fault ?? '');
       issue.hidden = fault === undefined;
       fold.setHead(POSTURES.title, POSTURES.count(doc.postures.length));
+    },
+  );
+  addView(
+    together((state) => [planNow(state), state.doc.robot.units]),
+    ([planned, units]) => {
+      const said = planned ? planNotes(planned, units) : [];
+      notes.element.hidden = said.length === 0;
+      notes.setHead(PLAN_NOTES.title, PLAN_NOTES.count(said.length));
+      fill(
+        list,
+        said.map((text) => h('li', {}, text)),
+      );
     },
   );
   const issue = h('p', { class: 'reason sm', role: 'note', hidden: true });

@@ -45,7 +45,7 @@ export function createProgramPlanner({ store, addView, derived, clock, messages 
     stopWaiting();
     apart.cancel();
     const chain = derived.chain(question.doc);
-    const { moves, steps, limits, issues, request } = planRequest(question, chain);
+    const { moves, steps, limits, assumptions, issues, request } = planRequest(question, chain);
     if (issues.length > 0) {
       show({ question, ...NOTHING, issues });
       return;
@@ -61,7 +61,7 @@ export function createProgramPlanner({ store, addView, derived, clock, messages 
       },
       (plan) => {
         stopWaiting();
-        const planned = { plan, moves, steps, limits };
+        const planned = { plan, moves, steps, limits, assumptions };
         show({ question, ...NOTHING, planned });
         sample(planned, seriesOf(planned, chain));
       },

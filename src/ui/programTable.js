@@ -21,7 +21,7 @@ import { editCell } from './cellEditor.js';
 import { fill, h, keepFocus, spoken } from './dom.js';
 import { compact, editable } from './format.js';
 import { textInput } from './captioned.js';
-import { hasNumber, endText, speedUnitText, stepIcon, stepText } from './stepText.js';
+import { hasNumber, endText, speedUnitInWords, speedUnitText, stepIcon, stepText } from './stepText.js';
 import { watchStepDrag } from './stepDrag.js';
 import { watchTableKeys } from './tableKeys.js';
 import { PROGRAM } from './words/program.js';
@@ -176,7 +176,7 @@ function createRow(page, reasons, first, index, now, program) {
     end.textContent = isMove(step) ? endText(step.ending, units) : '';
     if (!editor) return;
     const label = isMove(step)
-      ? PROGRAM.speedOf(index + 1, PROGRAM.unitInWords[step.speedUnit])
+      ? PROGRAM.speedOf(index + 1, speedUnitInWords(step.speedUnit, units))
       : PROGRAM.secondsOf(index + 1);
     editor.input.setAttribute('aria-label', label);
     editor.refresh();

@@ -6,6 +6,7 @@
 import { homePosture } from '../model/document.js';
 import { isMove } from '../model/motionProgram.js';
 import { compact, unitSign } from './format.js';
+import { TEXT } from './strings.js';
 import { svg } from './svg.js';
 import { PROGRAM } from './words/program.js';
 
@@ -58,6 +59,12 @@ export function targetText({ robot, postures }, target) {
 /** @param {SpeedUnit} unit @param {Units} units */
 export const speedUnitText = (unit, units) =>
   unit === '%' ? '%' : PROGRAM.perSecond(unitSign(unit === 'angle/s' ? units.angle : units.length));
+
+/** As it is read aloud. @param {SpeedUnit} unit @param {Units} units */
+export const speedUnitInWords = (unit, units) =>
+  unit === '%'
+    ? PROGRAM.perCent
+    : PROGRAM.perSecondInWords(TEXT.table.unitName[unit === 'angle/s' ? units.angle : units.length]);
 
 /** FINE, CNT 50, 10 mm. @param {Ending} ending @param {Units} units */
 export function endText(ending, units) {

@@ -30,7 +30,7 @@ test('four targets are recorded, put in order, edited, undone, saved and opened 
   expect(await page.evaluate(() => window.denavit.xml())).toContain('<circularMove id="s4"');
 
   // a speed in the table, with a key to the next; the card shows the same
-  const speed = page.getByLabel('Step 3, speed, length per second');
+  const speed = page.getByLabel('Step 3, speed, millimetres per second');
   await speed.fill('120');
   await page.keyboard.press('Enter');
   await expect(page.getByLabel('Speed', { exact: true })).toHaveValue('250'); // step 4 is chosen now

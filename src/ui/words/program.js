@@ -116,7 +116,8 @@ export const PROGRAM = {
   frame: /** @type {Of} */ ((id) => `in user frame ${id}`),
   configuration: /** @type {Of} */ ((text) => `configuration ${text}`),
   perSecond: /** @type {Of} */ ((unit) => `${unit}/s`),
-  unitInWords: { '%': 'per cent', 'length/s': 'length per second', 'angle/s': 'angle per second' },
+  perCent: 'per cent',
+  perSecondInWords: /** @type {Of} */ ((unit) => `${unit} per second`),
   notWhole: 'A whole number above 0 is wanted.',
 };
 

@@ -1,0 +1,44 @@
+/** What a plan assumes and changes is said, in the document's units. */
+import { expect, test } from 'vitest';
+import { planNotes } from '../../../src/ui/planNotes.js';
+
+/** @import { Planned } from '../../../src/model/planned.js' */
+
+const MM = /** @type {const} */ ({ length: 'mm', angle: 'deg' });
+
+/** @param {Partial<Planned> & { parts?: object[] }} given */
+const planned = ({ assumptions = [], steps = [0, 1, 3], parts = [] }) =>
+  /** @type {Planned} */ (/** @type {unknown} */ ({ plan: { parts }, steps, assumptions, moves: [], limits: null }));
+
+test('what nobody has said is told with what is assumed in its place', () => {
+  const given = planned({
+    assumptions: [
+      { what: 'joint-rate', joints: [0, 1, 2, 4] },
+      { what: 'joint-acceleration', joints: [5] },
+      { what: 'tool-turn', steps: [1, 3] },
+      { what: 'input', steps: [2] },
+    ],
+  });
+  expect(planNotes(given, MM)).toEqual([
+    'No greatest rate is stated for J1–J3 and J5: 180 °/s is assumed for a joint that turns, 500 mm/s for one that slides.',
+    'No greatest acceleration is stated for J6: from rest to the greatest rate in 0.25 s is assumed.',
+    'How fast the tool may turn is not said in steps 2 and 4: at most 180 °/s is assumed.',
+    'The input of step 3 is taken to come at once.',
+  ]);
+  expect(
+    planNotes(planned({ assumptions: [{ what: 'tool-acceleration', steps: [0] }] }), { length: 'm', angle: 'rad' }),
+  ).toEqual(['No robot file states an acceleration of the tool: 100 % of it in step 1 is taken for 4 m/s².']);
+});
+
+test('where a move is slower than asked, and where it stops instead of going on, is told by step', () => {
+  const parts = [
+    { move: 0, slowed: [{ from: 0.2, to: 0.456, joint: 4 }], notBlended: null },
+    { move: 1, slowed: [{ from: 0, to: 1, joint: null }], notBlended: 'wait' },
+    { move: 2, slowed: [], notBlended: 'last' },
+  ];
+  expect(planNotes(planned({ parts }), MM)).toEqual([
+    'Step 1 is slower than asked from 20 % to 46 % of its way, because J5 is at its greatest rate or acceleration.',
+    'Step 2 is slower than asked from 0 % to 100 % of its way, because of how its way bends.',
+    'Step 2 stops at its end all the same: a wait follows.',
+  ]);
+});

@@ -81,5 +81,5 @@ function swatch(i) {
   const line = svg('line', { x1: 0, x2: 16, y1: 2, y2: 2, 'stroke-width': 2.5 });
   line.style.stroke = `var(${token})`;
   if (dash.length > 0) line.style.strokeDasharray = dash.join(' ');
-  return svg('svg', { class: 'swatch', width: 16, height: 4, 'aria-hidden': 'true' }, line);
+  return svg('svg', { class: 'curve-key', width: 16, height: 4, 'aria-hidden': 'true' }, line);
 }

@@ -14,7 +14,7 @@ import { PROGRAM } from './words/program.js';
 /** @param {Page} page @param {Reasons} reasons */
 export function createProgramName(page, reasons) {
   const input = textInput({ 'aria-label': PROGRAM.name, maxlength: 200 });
-  const element = h('section', { class: 'step-card', hidden: true }, captioned(PROGRAM.name, input));
+  const element = h('section', { class: 'step-card', hidden: true }, captioned(PROGRAM.name, input, null, 'is-words'));
   /** @type {MotionProgramDoc | null} */
   let shown = null;
   let program = 0;

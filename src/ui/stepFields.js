@@ -63,7 +63,7 @@ export function createStepFields(page, reasons, changed) {
    * @param {(text: string) => object} change
    * @param {string} [className]
    */
-  function textField(label, value, change, className) {
+  function textField(label, value, change, className = '') {
     const input = textInput({ 'aria-label': label, 'data-action': label });
     const reset = () => void (input.value = value());
     input.addEventListener('input', () => void (input.dataset.editing = ''));
@@ -86,7 +86,7 @@ export function createStepFields(page, reasons, changed) {
     refreshers.push(() => {
       if (!('editing' in input.dataset) && !input.hasAttribute('aria-invalid')) reset();
     });
-    return captioned(label, input, null, className);
+    return captioned(label, input, null, `is-words ${className}`.trim());
   }
 
   /**

@@ -3,7 +3,7 @@
  *
  * @import { Planned } from '../model/planned.js'
  * @import { Doc } from '../model/document.js'
- * @import { NotBlended } from '../motion/plan.js'
+ * @typedef {Planned['plan']['parts'][number]['notBlended']} NotBlended
  */
 import {
   ASSUMED_SLIDE_RATE,

@@ -60,5 +60,5 @@ const plusOne = (index) => index + 1;
 /** @param {number} share */
 const percent = (share) => fixed(100 * share, 0);
 
-/** That the last move stops is no news. @param {NotBlended | null} why @returns {why is Exclude<NotBlended, 'last'>} */
+/** That the last move stops is no news. @param {NotBlended} why @returns {why is Exclude<NonNullable<NotBlended>, 'last'>} */
 const isToldOf = (why) => why !== null && why !== 'last';

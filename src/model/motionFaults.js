@@ -138,7 +138,11 @@ export function* motionProgramFaults(doc, program, path) {
     const aside = kind === 'comment' ? { disabled: FLAG } : { comment: TEXT, disabled: FLAG };
     yield* faultsOf(whose, where, fields, { id: NAME, ...must }, { ...may, ...aside }, doc);
     if (ids.has(fields.id)) {
-      yield issue('id-taken', `${where}.id`, `Two steps of ${shown(name)} have the id ${shown(fields.id)}.`);
+      yield issue(
+        'id-taken',
+        `${where}.id`,
+        `Two steps of ${shown(name)} have the id ${shown(fields.id)}; expected a different id for each.`,
+      );
     }
     ids.add(fields.id);
   }

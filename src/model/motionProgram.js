@@ -3,7 +3,7 @@
  *
  * @import { Doc, MotionProgramDoc, MoveStep, StepDoc, StepTarget } from './document.js'
  */
-import { issue } from './refusalParts.js';
+import { issue, shown } from './refusalParts.js';
 
 /** @param {StepDoc} step @returns {step is MoveStep} */
 export const isMove = (step) => step.kind === 'joint' || step.kind === 'linear' || step.kind === 'circular';
@@ -55,7 +55,7 @@ export const withPostures = (programs, values) =>
 export function usersIn({ motionPrograms }, uses) {
   const found = motionPrograms.flatMap(({ name, steps }) => {
     const numbers = steps.flatMap((step, i) => (uses(step) ? [i + 1] : []));
-    return numbers.length === 0 ? [] : [`step ${listed(numbers)} of "${name}"`];
+    return numbers.length === 0 ? [] : [`step ${listed(numbers)} of ${shown(name)}`];
   });
   return found.length === 0 ? null : found.join(', ');
 }

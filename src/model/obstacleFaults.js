@@ -61,7 +61,7 @@ const badId = (path, id) =>
 const isTaken = (obstacles, index, id) => obstacles.some((other, i) => i !== index && other.id === id);
 
 /** @param {string} path @param {string} id */
-const taken = (path, id) => issue('id-taken', `${path}.id`, `Another obstacle is called "${id}" already.`);
+const taken = (path, id) => issue('id-taken', `${path}.id`, `Another obstacle is called ${shown(id)} already.`);
 
 /** @param {string} path @param {NewObstacle} obstacle @returns {Issue | null} */
 function badObstacle(path, obstacle) {

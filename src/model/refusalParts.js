@@ -3,13 +3,14 @@
  * @import { Issue } from './issues.js'
  */
 import { LARGEST_NUMBER } from './documentRules.js';
+import { shownText } from './shownText.js';
 
 /** @param {string} code @param {string} path @param {string} message @returns {Issue} */
 export const issue = (code, path, message) => ({ severity: 'error', code, path, message });
 
 /** A value in a sentence: a text in quotes, a number with a true minus. @param {unknown} value */
 export function shown(value) {
-  if (typeof value === 'string') return `"${value}"`;
+  if (typeof value === 'string') return `"${shownText(value)}"`;
   return typeof value === 'object' && value !== null ? 'an object' : String(value).replace('-', '−');
 }
 

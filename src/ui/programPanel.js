@@ -219,6 +219,8 @@ export function createProgramPanel(page, host, files) {
   fold.element.classList.add('postures');
   const list = h('ul', { class: 'plan-notes sm' });
   const notes = foldMaker(clock, messages.fault)('plan-notes', async (body) => void fill(body, list));
+  // until the first drawing knows which of them are called for
+  for (const part of [head.element, table.element, notes.element, empty]) part.hidden = true;
   fill(
     host,
     head.element,

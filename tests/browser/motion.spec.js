@@ -91,9 +91,8 @@ test('curves run while the arm moves and only then, with a table that says the s
   const row = (/** @type {string} */ name) => body.getByRole('row', { name: new RegExp(`^${name} `) });
   await expect(row('J1')).toContainText('40.0°0.0°40.0°');
   await expect(row('J2')).toContainText('40.0°40.0°40.0°');
-  // at rest the speed is zero, and it has been more
+  // at rest the speed is zero; what it was while a button was held, jogging.spec reads under the manual clock
   await expect(row('Speed').getByRole('cell').first()).toHaveText('0.0 mm/s');
-  await expect(row('Speed').getByRole('cell').last()).not.toHaveText(/^(0\.0|–)/);
 
   await body.getByRole('button', { name: 'Pause', exact: true }).click();
   await slider.focus();

@@ -7,7 +7,7 @@
  * has is passed over. A joint move to a pose goes to the posture of the configuration that is asked for, or else to the one
  * nearest to where the arm comes from.
  *
- * @import { Doc, JointDoc, MotionProgramDoc, MoveStep, StepDoc, StepTarget, TargetDoc } from './document.js'
+ * @import { Doc, MotionProgramDoc, MoveStep, StepDoc, StepTarget, TargetDoc } from './document.js'
  * @import { Issue } from './issues.js'
  * @import { Chain } from '../kinematics/chain.js'
  * @import { Ending, JointLimits, JointMove, Move, ToolMoveBase } from '../motion/moves.js'
@@ -32,18 +32,13 @@ import { inverseKinematics } from '../kinematics/inverse.js';
 import { compose } from '../kinematics/pose.js';
 import { planMotion } from '../motion/plan.js';
 import { compilePose, compilePosture, compileRobot, postureFromKernel } from './compile.js';
-import { isSliding, quantityOf } from './document.js';
 import { framePose, poseOnly, targetPose } from './frames.js';
 import { memo } from './memo.js';
+import { limitsOf } from './motionLimits.js';
 import { isMove } from './motionProgram.js';
 import { issue, shown } from './refusalParts.js';
 import { configurationAt } from './solutions.js';
 import { toKernel } from './units.js';
-
-/** What is assumed of an arm that does not say it: rad/s and m/s of its joints, and so long from rest to that rate. */
-export const ASSUMED_TURN_RATE = Math.PI;
-export const ASSUMED_SLIDE_RATE = 0.5;
-export const ASSUMED_SPEED_UP = 0.25;
 
 /** Of the tool, which no robot file states: m/s where only its turn has a speed, rad/s where only its way has one, m/s². */
 export const ASSUMED_TOOL_SPEED = 1;
@@ -273,35 +268,4 @@ function endingOf(ending, units) {
   if (ending.kind === 'fine') return { kind: 'fine' };
   if (ending.kind === 'percent') return { kind: 'share', share: ending.value / 100 };
   return { kind: 'distance', distance: toKernel('length', ending.value, units) };
-}
-
-/**
- * @param {readonly JointDoc[]} joints
- * @param {Doc['robot']['units']} units
- * @returns {{ limits: JointLimits, assumed: Assumption[] }}
- */
-function limitsOf(joints, units) {
-  const stated = (/** @type {JointDoc} */ joint, /** @type {'velocity' | 'acceleration' | 'jerk'} */ rate) => {
-    const value = joint[rate];
-    return value === undefined ? null : toKernel(quantityOf(joint, 'home'), value, units);
-  };
-  const rates = Float64Array.from(
-    joints,
-    (joint) => stated(joint, 'velocity') ?? (isSliding(joint) ? ASSUMED_SLIDE_RATE : ASSUMED_TURN_RATE),
-  );
-  const accelerations = Float64Array.from(
-    joints,
-    (joint, i) => stated(joint, 'acceleration') ?? rates[i] / ASSUMED_SPEED_UP,
-  );
-  const jerks = joints.map((joint) => stated(joint, 'jerk'));
-  const without = (/** @type {'velocity' | 'acceleration'} */ rate) =>
-    joints.flatMap((joint, i) => (joint[rate] === undefined ? [i] : []));
-  const assumed = /** @type {const} */ ([
-    ['joint-rate', without('velocity')],
-    ['joint-acceleration', without('acceleration')],
-  ]);
-  return {
-    limits: { rates, accelerations, ...(jerks.every((jerk) => jerk !== null) && { jerks: Float64Array.from(jerks) }) },
-    assumed: assumed.filter(([, which]) => which.length > 0).map(([what, which]) => ({ what, joints: which })),
-  };
 }

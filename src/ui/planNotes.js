@@ -5,14 +5,8 @@
  * @import { Doc } from '../model/document.js'
  * @typedef {Planned['plan']['parts'][number]['notBlended']} NotBlended
  */
-import {
-  ASSUMED_SLIDE_RATE,
-  ASSUMED_SPEED_UP,
-  ASSUMED_TOOL_ACCELERATION,
-  ASSUMED_TOOL_SPEED,
-  ASSUMED_TOOL_TURN,
-  ASSUMED_TURN_RATE,
-} from '../model/motionPlan.js';
+import { ASSUMED_SLIDE_RATE, ASSUMED_SPEED_UP, ASSUMED_TURN_RATE } from '../model/motionLimits.js';
+import { ASSUMED_TOOL_ACCELERATION, ASSUMED_TOOL_SPEED, ASSUMED_TOOL_TURN } from '../model/motionPlan.js';
 import { fromKernel } from '../model/units.js';
 import { compact, fixed, unitSign } from './format.js';
 import { PLAN_NOTES } from './words/planNotes.js';

@@ -1,8 +1,12 @@
 /**
  * What the joints of a document's arm may do in time, and what is assumed of those that do not say it.
  * @import { JointDoc, Units } from './document.js'
- * @import { Assumption } from './motionPlan.js'
  * @import { JointLimits } from '../motion/moves.js'
+ *
+ * @typedef {object} Assumption   joints: their indices, from 0; steps: theirs, from 0
+ * @property {'joint-rate' | 'joint-acceleration' | 'tool-turn' | 'tool-speed' | 'tool-acceleration' | 'input' | 'call'} what
+ * @property {readonly number[]} [joints]
+ * @property {readonly number[]} [steps]
  */
 import { isSliding, quantityOf } from './document.js';
 import { toKernel } from './units.js';

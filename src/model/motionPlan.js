@@ -9,13 +9,9 @@
  *
  * @import { Doc, MotionProgramDoc, MoveStep, StepDoc, StepTarget, TargetDoc } from './document.js'
  * @import { Issue } from './issues.js'
+ * @import { Assumption } from './motionLimits.js'
  * @import { Chain } from '../kinematics/chain.js'
  * @import { Ending, JointLimits, JointMove, Move, ToolMoveBase } from '../motion/moves.js'
- *
- * @typedef {object} Assumption   joints: their indices, from 0; steps: theirs, from 0
- * @property {'joint-rate' | 'joint-acceleration' | 'tool-turn' | 'tool-speed' | 'tool-acceleration' | 'input' | 'call'} what
- * @property {readonly number[]} [joints]
- * @property {readonly number[]} [steps]
  *
  * @typedef {Issue & { readonly step: number }} StepIssue   step: its index in the program
  *

@@ -3,7 +3,7 @@
  *
  * @import { Doc, MotionProgramDoc } from './document.js'
  * @import { Issue } from './issues.js'
- * @import { Assumption } from './motionPlan.js'
+ * @import { Assumption } from './motionLimits.js'
  * @import { PlanSeries } from './planSeries.js'
  * @import { MotionPlan } from '../motion/plan.js'
  * @import { JointLimits, Move } from '../motion/moves.js'

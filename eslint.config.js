@@ -30,7 +30,7 @@ const UNITS = [
   ['MemberExpression[property.name=/^(degToRad|radToDeg|DEG2RAD|RAD2DEG)$/]', UNITS_FILE],
 ];
 
-const ELEMENTS = 'Build elements with ui/dom.js; text stays text.';
+const ELEMENTS = 'Build elements with ui/parts/dom.js; text stays text.';
 const INSERTING =
   '/^(append|prepend|before|after|replaceWith|appendTo|prependTo|insertBefore|insertAfter|wrap|wrapAll|wrapInner)$/';
 const MARKUP =

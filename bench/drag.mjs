@@ -7,7 +7,7 @@
 import { tcpPose } from '../src/kinematics/forward.js';
 import { createRandom } from '../src/kinematics/random.js';
 import { compilePosture, compileRobot } from '../src/model/compile.js';
-import { followTo, startFollowing } from '../src/model/follow.js';
+import { followTo, startFollowing } from '../src/model/aim/follow.js';
 import { LIBRARY, newDocument } from '../src/model/library.js';
 import { reduce, startState } from '../src/model/session.js';
 import { median, quantile } from './measure.mjs';

@@ -31,31 +31,31 @@ import { startDocument } from './model/startDocument.js';
 import { createStore } from './model/store.js';
 import { fromKernel } from './model/units.js';
 import { createViews } from './model/views.js';
-import { automaticRadii } from './render/automaticRadii.js';
-import { dragWhenNear } from './render/dragWhenNear.js';
+import { automaticRadii } from './render/arm/automaticRadii.js';
+import { dragWhenNear } from './render/drag/dragWhenNear.js';
 import { createRobotView } from './render/robotView.js';
-import { createAimPanel } from './ui/aimPanel.js';
+import { createAimPanel } from './ui/aim/aimPanel.js';
 import { createAnnouncer } from './ui/announce.js';
-import { startAutosave } from './ui/autosave.js';
+import { startAutosave } from './ui/files/autosave.js';
 import { createBar } from './ui/bar.js';
 import { createBrowserClock, today } from './ui/browserClock.js';
-import { createDhTable } from './ui/dhTable.js';
-import { watchDropAndPaste } from './ui/dropAndPaste.js';
+import { createDhTable } from './ui/robot/dhTable.js';
+import { watchDropAndPaste } from './ui/files/dropAndPaste.js';
 import { showFirstVisit } from './ui/firstVisit.js';
-import { createFiles } from './ui/files.js';
-import { createJogPanel } from './ui/jogPanel.js';
-import { lazyPanel } from './ui/lazyPanel.js';
+import { createFiles } from './ui/files/files.js';
+import { createJogPanel } from './ui/jog/jogPanel.js';
+import { lazyPanel } from './ui/parts/lazyPanel.js';
 import { createMessages } from './ui/messages.js';
 import { createOpener } from './ui/opener.js';
-import { createPosePanel } from './ui/posePanel.js';
-import { createRobotSections } from './ui/robotSections.js';
+import { createPosePanel } from './ui/pose/posePanel.js';
+import { createRobotSections } from './ui/robot/robotSections.js';
 import { createScripting } from './ui/scripting.js';
 import { createShell, runPanels } from './ui/shell.js';
 import { SHORTCUTS, createShortcuts } from './ui/shortcuts.js';
 import { createTheme } from './ui/theme.js';
-import { createTouchKeys } from './ui/touchKeys.js';
-import { createViewPanel } from './ui/viewPanel.js';
-import { whenFirst } from './ui/whenFirst.js';
+import { createTouchKeys } from './ui/parts/touchKeys.js';
+import { createViewPanel } from './ui/view/viewPanel.js';
+import { whenFirst } from './ui/parts/whenFirst.js';
 
 const { values: parameters, refused } = readQueryParameters(location.search, SCHEMA);
 const manualClock = parameters.clock === 'manual' ? createManualClock() : null;
@@ -73,7 +73,7 @@ window.denavit = /** @type {Window['denavit']} */ ({ ready, clock: manualClock }
 // No top-level await: what is fetched here may import from this very file, and each would wait for the other.
 if (location.hash.length < 2) begin();
 else {
-  import('./ui/linked.js').then(
+  import('./ui/files/linked.js').then(
     ({ linkHere }) => begin(linkHere()),
     (error) => {
       messages.fault(error);
@@ -143,7 +143,7 @@ function stand(robot, isOther, link) {
     shell.tabs.program,
     ({ tab }) => tab === 'program',
     async () => {
-      const { createProgramPanel } = await import('./ui/programPanel.js');
+      const { createProgramPanel } = await import('./ui/program/programPanel.js');
       return (host) => createProgramPanel(page, host, files);
     },
   );
@@ -152,7 +152,7 @@ function stand(robot, isOther, link) {
     shell.tabs.code,
     ({ tab }) => tab === 'code',
     async () => {
-      const { createCodePanel } = await import('./ui/codePanel.js');
+      const { createCodePanel } = await import('./ui/program/codePanel.js');
       return (host) => createCodePanel(page, host, { version, today });
     },
   );
@@ -161,7 +161,7 @@ function stand(robot, isOther, link) {
     shell.tabs.jacobian,
     ({ tab }) => tab === 'jacobian',
     async () => {
-      const { createJacobianPanel } = await import('./ui/jacobianPanel.js');
+      const { createJacobianPanel } = await import('./ui/jacobian/jacobianPanel.js');
       return (host) => createJacobianPanel(page, host);
     },
   );
@@ -170,7 +170,7 @@ function stand(robot, isOther, link) {
     ({ doc }) => doc.motionPrograms.length > 0 && shell.has('program'),
     async () => {
       const [{ createTimeline }, { createProgramView }] = await Promise.all([
-        import('./ui/timeline.js'),
+        import('./ui/program/timeline.js'),
         import('./render/programView.js'),
       ]);
       const { text } = createTimeline(page, shell.time, shell.view);
@@ -214,7 +214,7 @@ function stand(robot, isOther, link) {
 
   if (!parameters.panels && parameters.hint === 'on' && !manualClock) showFirstVisit(shell.view);
   link?.show(page);
-  addEventListener('hashchange', async () => (await import('./ui/linked.js')).followLink(page));
+  addEventListener('hashchange', async () => (await import('./ui/files/linked.js')).followLink(page));
   const visit = Math.random().toString(36).slice(2);
   if (parameters.autosave === 'on') startAutosave(page, { visit, today, ready });
   clock.onFrame(() => clock.onFrame(sayReady));

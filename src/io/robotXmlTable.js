@@ -34,7 +34,7 @@
  */
 import { identityPose, MAX_JOINTS, MAX_POSTURES, MIN_JOINTS } from '../model/document.js';
 import * as rules from '../model/documentRules.js';
-import { OBSTACLE_SIZES } from '../model/obstacles.js';
+import { OBSTACLE_SIZES } from '../model/workcell/obstacles.js';
 import * as types from './valueTypes.js';
 
 export const ROBOT_NAMESPACE = 'urn:denavit:robot-model:1';

@@ -5,15 +5,15 @@
  * A value that is undefined takes a limit away. A text is what was typed for the value, where that was an expression.
  *
  * @import { Convention, Doc, JointField, Units } from './document.js'
- * @import { ControllerCommand } from './controllerCommand.js'
- * @import { FrameCommand } from './frameCommands.js'
- * @import { JointCommand } from './jointCommands.js'
- * @import { MotionCommand } from './motionCommands.js'
- * @import { ObstacleCommand } from './obstacles.js'
- * @import { PostureCommand } from './postureCommand.js'
- * @import { RobotCommand } from './robotCommands.js'
- * @import { TableCommand } from './tableCommand.js'
- * @import { TargetCommand } from './targets.js'
+ * @import { ControllerCommand } from './controller/controllerCommand.js'
+ * @import { FrameCommand } from './frames/frameCommands.js'
+ * @import { JointCommand } from './robot/jointCommands.js'
+ * @import { MotionCommand } from './program/motionCommands.js'
+ * @import { ObstacleCommand } from './workcell/obstacles.js'
+ * @import { PostureCommand } from './program/postureCommand.js'
+ * @import { RobotCommand } from './robot/robotCommands.js'
+ * @import { TableCommand } from './robot/tableCommand.js'
+ * @import { TargetCommand } from './aim/targets.js'
  *
  * @typedef {{ type: 'set-joint-field', joint: number, field: JointField, value: number | undefined, text?: string }
  *   | { type: 'set-joint-value', joint: number, value: number }
@@ -37,18 +37,18 @@
  *
  * Converting keeps the robot and changes the numbers; reinterpreting keeps the numbers and changes the robot.
  */
-import { applyControllerCommand } from './controllerCommand.js';
-import { convertConvention } from './convertConvention.js';
-import { convertUnits } from './convertUnits.js';
-import { applyFrameCommand } from './frameCommands.js';
-import { applyJointCommand } from './jointCommands.js';
-import { applyMotionCommand } from './motionCommands.js';
-import { applyObstacleCommand } from './obstacles.js';
-import { applyPostureCommand } from './postureCommand.js';
-import { applyRobotCommand } from './robotCommands.js';
-import { textOf, withField } from './jointFields.js';
-import { applyTableCommand } from './tableCommand.js';
-import { applyTargetCommand } from './targets.js';
+import { applyControllerCommand } from './controller/controllerCommand.js';
+import { convertConvention } from './robot/convertConvention.js';
+import { convertUnits } from './robot/convertUnits.js';
+import { applyFrameCommand } from './frames/frameCommands.js';
+import { applyJointCommand } from './robot/jointCommands.js';
+import { applyMotionCommand } from './program/motionCommands.js';
+import { applyObstacleCommand } from './workcell/obstacles.js';
+import { applyPostureCommand } from './program/postureCommand.js';
+import { applyRobotCommand } from './robot/robotCommands.js';
+import { textOf, withField } from './robot/jointFields.js';
+import { applyTableCommand } from './robot/tableCommand.js';
+import { applyTargetCommand } from './aim/targets.js';
 
 /**
  * @param {Doc} doc

@@ -5,10 +5,10 @@
  * @import { Doc } from './document.js'
  */
 import { tcpPose } from '../kinematics/forward.js';
-import { xyzwprOf } from './aim.js';
+import { xyzwprOf } from './aim/aim.js';
 import { compilePosture, compileRobot } from './compile.js';
 import { memo } from './memo.js';
-import { activeFrame, framePose } from './frames.js';
+import { activeFrame, framePose } from './frames/frames.js';
 
 export function createDerived() {
   const chainOf = memo(compileRobot);

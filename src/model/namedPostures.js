@@ -11,8 +11,8 @@
  * @property {readonly number[]} q    document units
  * @property {readonly number[]} outside  indices of the joints that are past their limits there
  */
-import { convertConvention } from './convertConvention.js';
-import { convertUnits } from './convertUnits.js';
+import { convertConvention } from './robot/convertConvention.js';
+import { convertUnits } from './robot/convertUnits.js';
 import { DH_FIELDS, homePosture, isSliding, limitsOf } from './document.js';
 import { LIBRARY } from './library.js';
 import { PUBLISHED_POSTURES } from './library/postures.js';

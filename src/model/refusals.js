@@ -7,18 +7,18 @@
  */
 import { MAX_POSTURES } from './document.js';
 import { CONVENTIONS } from './documentRules.js';
-import { controllerRefusal } from './controllerCommand.js';
-import { frameRefusal } from './frameRefusals.js';
-import { motionRefusal } from './motionRefusals.js';
-import { obstacleRefusal } from './obstacleFaults.js';
-import { tableRefusal } from './tableCommand.js';
-import { targetRefusal } from './targetRefusals.js';
-import { POSTURE_NAME, isPostureName, postureRefusal } from './postureCommand.js';
+import { controllerRefusal } from './controller/controllerCommand.js';
+import { frameRefusal } from './frames/frameRefusals.js';
+import { motionRefusal } from './program/motionRefusals.js';
+import { obstacleRefusal } from './workcell/obstacleFaults.js';
+import { tableRefusal } from './robot/tableCommand.js';
+import { targetRefusal } from './aim/targetRefusals.js';
+import { POSTURE_NAME, isPostureName, postureRefusal } from './program/postureCommand.js';
 import { badText } from './textRefusals.js';
-import { jointRefusal } from './jointRefusals.js';
+import { jointRefusal } from './robot/jointRefusals.js';
 import { badChoice, badIndex, badNumber, badPosture, issue, shown } from './refusalParts.js';
-import { robotRefusal } from './robotRefusals.js';
-import { unitsRefusal, baseAndToolRefusal } from './convertRefusals.js';
+import { robotRefusal } from './robot/robotRefusals.js';
+import { unitsRefusal, baseAndToolRefusal } from './robot/convertRefusals.js';
 
 /** @type {Record<JointField, string>} */
 const FIELD_NAMES = {

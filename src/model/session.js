@@ -5,18 +5,18 @@
  * @import { Doc, JointField } from './document.js'
  * @import { Command } from './commands.js'
  * @import { History } from './history.js'
- * @import { AimAnswer } from './aim.js'
- * @import { Hindrance } from './follow.js'
- * @import { Handle } from './handleAxes.js'
- * @import { JacobianView } from './jacobianView.js'
- * @import { JogStop } from './jog.js'
- * @import { JogChoices } from './jogChoices.js'
- * @import { NumbersView } from './numbersView.js'
- * @import { Planning } from './planned.js'
- * @import { Playback } from './player.js'
- * @import { Recording } from './recording.js'
- * @import { Taught } from './threePoints.js'
- * @import { ToolKeeps } from './toolChange.js'
+ * @import { AimAnswer } from './aim/aim.js'
+ * @import { Hindrance } from './aim/follow.js'
+ * @import { Handle } from './aim/handleAxes.js'
+ * @import { JacobianView } from './numbers/jacobianView.js'
+ * @import { JogStop } from './jog/jog.js'
+ * @import { JogChoices } from './jog/jogChoices.js'
+ * @import { NumbersView } from './numbers/numbersView.js'
+ * @import { Planning } from './program/planned.js'
+ * @import { Playback } from './program/player.js'
+ * @import { Recording } from './program/recording.js'
+ * @import { Taught } from './frames/threePoints.js'
+ * @import { ToolKeeps } from './frames/toolChange.js'
  *
  * @typedef {'robot' | 'program' | 'code' | 'jacobian'} Tab
  * @typedef {Tab | 'jog' | 'aim'} Panel
@@ -75,13 +75,13 @@
  */
 import { applyCommand } from './commands.js';
 import { deepFreeze } from './freeze.js';
-import { FIRST_JACOBIAN } from './jacobianView.js';
-import { FIRST_JOG } from './jogChoices.js';
+import { FIRST_JACOBIAN } from './numbers/jacobianView.js';
+import { FIRST_JOG } from './jog/jogChoices.js';
 import { refusal } from './refusals.js';
-import { FIRST_HANDLE } from './handleAxes.js';
-import { fitUserFrame } from './userAxes.js';
-import { FIRST_NUMBERS, fitNumbers } from './numbersView.js';
-import { FIRST_RECORDING } from './recording.js';
+import { FIRST_HANDLE } from './aim/handleAxes.js';
+import { fitUserFrame } from './frames/userAxes.js';
+import { FIRST_NUMBERS, fitNumbers } from './numbers/numbersView.js';
+import { FIRST_RECORDING } from './program/recording.js';
 import { cancelGesture, endGesture, record, redo, stand, startHistory, undo } from './history.js';
 
 /** @type {Session} */

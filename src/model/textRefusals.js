@@ -3,7 +3,7 @@
  * @import { Issue } from './issues.js'
  */
 import { characterCount, MAX_LABEL_LENGTH } from './documentRules.js';
-import { keepsText } from './jointFields.js';
+import { keepsText } from './robot/jointFields.js';
 import { issue, shown } from './refusalParts.js';
 
 /** What a robot file cannot hold, or gives back otherwise than it was. */

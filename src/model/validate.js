@@ -20,8 +20,8 @@ import {
   PRESENT_POSTURE_ID,
   PROGRAM_LANGUAGES,
 } from './documentRules.js';
-import { motionFaults } from './motionFaults.js';
-import { obstacleFaults } from './obstacleFaults.js';
+import { motionFaults } from './program/motionFaults.js';
+import { obstacleFaults } from './workcell/obstacleFaults.js';
 import { checkFrameId, framesIssues } from './validateFrames.js';
 import { jointsIssues } from './validateJoints.js';
 import {

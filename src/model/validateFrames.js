@@ -2,10 +2,10 @@
  * Whether the user frames and tools of a document are sound, and which of them are active.
  *
  * @import { Doc } from './document.js'
- * @import { FrameKind } from './frames.js'
+ * @import { FrameKind } from './frames/frames.js'
  * @import { Issues } from './validateValues.js'
  */
-import { activeFrame, agree } from './frames.js';
+import { activeFrame, agree } from './frames/frames.js';
 import { documentIssue } from './issues.js';
 import { checkChoice, checkDifferentIds, checkId, checkNumber, checkPose, shownValue } from './validateValues.js';
 

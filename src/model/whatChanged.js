@@ -3,7 +3,7 @@
  * a hundred commands is named as the one thing that it comes to. Words are for whoever shows it (ui/stepName.js).
  *
  * @import { Convention, Doc, JointDoc, JointField, RobotDoc, Units } from './document.js'
- * @import { Rate } from './robotCommands.js'
+ * @import { Rate } from './robot/robotCommands.js'
  *
  * @typedef {'postures' | 'targets' | 'frames' | 'obstacles' | 'motionPrograms'} ListName
  * @typedef {'added' | 'removed' | 'renamed' | 'moved' | 'changed'} ListChange
@@ -19,7 +19,7 @@
  *   | { what: 'step', change: ListChange, step: number }
  *   | { what: 'list', list: ListName, change: ListChange, id: string }} Change  `joint` and `step` count from 0
  */
-import { textOf } from './jointFields.js';
+import { textOf } from './robot/jointFields.js';
 
 /**
  * @param {Doc} before

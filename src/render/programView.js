@@ -6,9 +6,9 @@
  * @import { AddView } from '../model/views.js'
  */
 import { together } from '../model/views.js';
-import { moveGhosts, toolPathShown, toolPathTime } from '../model/toolPathShown.js';
-import { createGhostArms } from './ghostArms.js';
-import { createPathMark } from './pathMark.js';
+import { moveGhosts, toolPathShown, toolPathTime } from '../model/program/toolPathShown.js';
+import { createGhostArms } from './marks/ghostArms.js';
+import { createPathMark } from './marks/pathMark.js';
 
 /**
  * @param {{ addView: AddView<AppState> }} state

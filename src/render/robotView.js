@@ -2,10 +2,10 @@
  * The state of the page in the scene: which part of the state each thing in the picture shows. What is not in every first
  * picture is fetched when it is first wanted.
  *
- * @import { Wanted } from './dimension.js'
+ * @import { Wanted } from './marks/dimension.js'
  * @import { StageOptions } from './stage.js'
  * @import { LabelText } from './labels.js'
- * @import { MarkSet, MarkTools } from './marks.js'
+ * @import { MarkSet, MarkTools } from './marks/marks.js'
  * @import { Clock } from '../model/clock.js'
  * @import { Derived } from '../model/derived.js'
  * @import { Convention, DhField } from '../model/document.js'
@@ -19,14 +19,14 @@
  * @property {Derived} derived
  * @property {Clock} clock
  */
-import { isAtAnswer, poseFromXyzwpr } from '../model/aim.js';
+import { isAtAnswer, poseFromXyzwpr } from '../model/aim/aim.js';
 import { compileLinkStyles, compilePose, compilePosture } from '../model/compile.js';
-import { targetPose } from '../model/frames.js';
-import { lostWanted } from '../model/lostShown.js';
+import { targetPose } from '../model/frames/frames.js';
+import { lostWanted } from '../model/aim/lostShown.js';
 import { memo } from '../model/memo.js';
-import { isRowField, motionAt } from '../model/rowMotions.js';
+import { isRowField, motionAt } from '../model/robot/rowMotions.js';
 import { together } from '../model/views.js';
-import { shownFrames, shownUserFrames } from '../model/shownFrames.js';
+import { shownFrames, shownUserFrames } from '../model/frames/shownFrames.js';
 import { createStage } from './stage.js';
 
 /** An arm with a reach this much larger or smaller (as a logarithm: half as much again) is another one to the eye. */
@@ -117,7 +117,7 @@ export function createRobotView({ store, addView, derived, clock }, options) {
     };
   }
 
-  const withFrames = whenWanted(async () => (await import('./frameMarks.js')).createFrameMarks);
+  const withFrames = whenWanted(async () => (await import('./marks/frameMarks.js')).createFrameMarks);
   addView(
     ({ doc, session }) => shownFrames(session, doc.robot.joints.length).join(),
     () => {
@@ -129,7 +129,7 @@ export function createRobotView({ store, addView, derived, clock }, options) {
     },
   );
   const withDimension = whenWanted(async () => {
-    const { createDimensionMarks } = await import('./dimension.js');
+    const { createDimensionMarks } = await import('./marks/dimension.js');
     return (tools) => createDimensionMarks({ ...tools, text: options.text.dimension });
   });
   addView(
@@ -150,7 +150,7 @@ export function createRobotView({ store, addView, derived, clock }, options) {
     },
   );
 
-  const withGhosts = whenWanted(async () => (await import('./ghostArms.js')).createGhostArms);
+  const withGhosts = whenWanted(async () => (await import('./marks/ghostArms.js')).createGhostArms);
   addView(
     together(({ doc, session }) => [doc.robot, session.ghost]),
     ([robot, ghost]) =>
@@ -158,7 +158,7 @@ export function createRobotView({ store, addView, derived, clock }, options) {
         ghosts.want(ghost ? [{ q: compilePosture(robot, ghost.posture), label: ghost.label }] : []),
       ),
   );
-  const withTargets = whenWanted(async () => (await import('./targetFrames.js')).createTargetFrames);
+  const withTargets = whenWanted(async () => (await import('./marks/targetFrames.js')).createTargetFrames);
   addView(
     together(({ doc }) => [doc.targets, doc.robot.units, doc.frames]),
     ([targets]) =>
@@ -167,13 +167,13 @@ export function createRobotView({ store, addView, derived, clock }, options) {
       ),
   );
 
-  const withEllipsoid = whenWanted(async () => (await import('./ellipsoidMark.js')).createEllipsoidMark);
+  const withEllipsoid = whenWanted(async () => (await import('./marks/ellipsoidMark.js')).createEllipsoidMark);
   addView(
     ({ session }) => session.tab === 'jacobian' && session.jacobian.ellipsoid,
     (kind) => withEllipsoid(kind !== false && kind !== null, (mark) => mark.want(kind || null)),
   );
 
-  const withUserFrames = whenWanted(async () => (await import('./userFrames.js')).createUserFrames);
+  const withUserFrames = whenWanted(async () => (await import('./marks/userFrames.js')).createUserFrames);
   addView(
     together(({ doc, session }) => [
       doc.frames,
@@ -192,22 +192,22 @@ export function createRobotView({ store, addView, derived, clock }, options) {
     },
   );
 
-  const withTaught = whenWanted(async () => (await import('./taughtPoints.js')).createTaughtPoints);
+  const withTaught = whenWanted(async () => (await import('./marks/taughtPoints.js')).createTaughtPoints);
   addView(
     ({ session }) => session.taught,
     (taught) => withTaught(taught !== null, (marks) => marks.want(taught)),
   );
 
   const withLost = whenWanted(async () => {
-    const { createLostMark } = await import('./lostMark.js');
+    const { createLostMark } = await import('./marks/lostMark.js');
     return (tools) => createLostMark({ ...tools, text: options.text.lost });
   });
   addView(lostWanted, (wanted) => withLost(wanted !== null, (marks) => marks.want(wanted)));
 
   const withTrace = whenWanted(async () => {
     const [{ createTraceMark }, { traceOf }] = await Promise.all([
-      import('./traceMark.js'),
-      import('../model/trace.js'),
+      import('./marks/traceMark.js'),
+      import('../model/jog/trace.js'),
     ]);
     const recorder = traceOf({ store, derived });
     return (tools) => createTraceMark({ ...tools, text: options.text.trace, trace: () => recorder.trace });
@@ -217,7 +217,7 @@ export function createRobotView({ store, addView, derived, clock }, options) {
     (trace) => withTrace(trace !== null, (mark) => mark.build()),
   );
 
-  const withBuild = whenWanted(async () => (await import('./buildMarks.js')).createBuildMarks);
+  const withBuild = whenWanted(async () => (await import('./marks/buildMarks.js')).createBuildMarks);
   addView(
     ({ session }) => session.build,
     (build) => withBuild(build !== null, (marks) => marks.want(build)),

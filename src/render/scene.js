@@ -4,10 +4,10 @@
  * `castsAnew` that the shadow is no longer right.
  *
  * @import { Eye } from './eye.js'
- * @import { Excess } from './gauge.js'
- * @import { ArmNow, MarkSet, MarkText, MarkTools } from './marks.js'
+ * @import { Excess } from './marks/gauge.js'
+ * @import { ArmNow, MarkSet, MarkText, MarkTools } from './marks/marks.js'
  * @import { LabelLayer } from './labels.js'
- * @import { LinkStyle } from './linkPieces.js'
+ * @import { LinkStyle } from './arm/linkPieces.js'
  * @import { Skin } from './skins.js'
  * @import { Chain } from '../kinematics/chain.js'
  * @import { Pose } from '../kinematics/pose.js'
@@ -15,13 +15,13 @@
 import { LineSegments, Mesh, Scene, Vector3 } from 'three';
 import { linkFrames } from '../kinematics/forward.js';
 import { compose } from '../kinematics/pose.js';
-import { createArmModel } from './armModel.js';
+import { createArmModel } from './arm/armModel.js';
 import { disposeOf } from './fatLines.js';
 import { createFloor, gridSteps } from './floor.js';
 import { homeDirection } from './homeDirection.js';
 import { createLights } from './lights.js';
-import { createMarks } from './marks.js';
-import { createTriad } from './triad.js';
+import { createMarks } from './marks/marks.js';
+import { createTriad } from './marks/triad.js';
 
 const FADE = 1.8; // where the grid ends, in reaches
 const BASE_ARROW = 0.14; // in sizes of the arm

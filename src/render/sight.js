@@ -2,7 +2,7 @@
  * What a pointer sees: lines of sight through pixels, and pixels of points.
  *
  * @import { Eye } from './eye.js'
- * @import { Ray, Vector } from './dragRays.js'
+ * @import { Ray, Vector } from './drag/dragRays.js'
  *
  * @typedef {object} Sight
  * @property {(x: number, y: number) => Ray} ray  pixels, y down

@@ -11,8 +11,8 @@
  * number as `data-draws`. It knows no words: `text` is asked for each label when it is written, and `rewrite` asks again.
  * Colours are the page's CSS custom properties, read by `setTheme`. The host must be positioned; its background is the sky.
  *
- * @import { LinkStyle } from './linkPieces.js'
- * @import { MarkText } from './marks.js'
+ * @import { LinkStyle } from './arm/linkPieces.js'
+ * @import { MarkText } from './marks/marks.js'
  * @import { Eye } from './eye.js'
  * @import { Rectangle } from './view.js'
  * @import { Viewpoint, ViewName } from './viewpoint.js'

@@ -1,7 +1,7 @@
 /**
  * Says the outcome of a command to a screen reader. One polite region; the same words twice are said twice.
  */
-import { h } from './dom.js';
+import { h } from './parts/dom.js';
 
 export function createAnnouncer() {
   const region = h('div', { class: 'visually-hidden', role: 'status', 'aria-live': 'polite' });

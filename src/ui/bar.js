@@ -1,17 +1,17 @@
 /**
  * The bar on top: which robot, its file, undo and redo, units, colours.
- * @import { Child } from './dom.js'
- * @import { IconName } from './icons.js'
+ * @import { Child } from './parts/dom.js'
+ * @import { IconName } from './parts/icons.js'
  * @import { Page } from './page.js'
- * @import { Files } from './files.js'
+ * @import { Files } from './files/files.js'
  * @import { Theme } from './theme.js'
  */
 import $ from 'jquery/slim';
 import { together } from '../model/views.js';
-import { fill, h, spoken } from './dom.js';
-import { icon } from './icons.js';
-import { typesOf } from './jointTypes.js';
-import { giveMenu } from './menus.js';
+import { fill, h, spoken } from './parts/dom.js';
+import { icon } from './parts/icons.js';
+import { typesOf } from './robot/jointTypes.js';
+import { giveMenu } from './parts/menus.js';
 import { step } from './page.js';
 import { TEXT } from './strings.js';
 import { createUnitsMenu } from './unitsMenu.js';
@@ -29,7 +29,7 @@ export function createBar(page, host, { files, theme, openHelp }) {
   const undo = iconButton('undo', TEXT.bar.undo);
   const redo = iconButton('redo', TEXT.bar.redo);
   const share = h('button', { type: 'button', class: 'btn wide-only', 'aria-haspopup': 'dialog' }, TEXT.bar.share);
-  const openShare = async () => (await import('./share.js')).openShare(page, files); // messages.js says it when that fails
+  const openShare = async () => (await import('./files/share.js')).openShare(page, files); // messages.js says it when that fails
   const colours = iconButton('circleHalf', TEXT.bar.theme);
   const help = iconButton('question', TEXT.bar.help);
 
@@ -123,7 +123,7 @@ function robotButton(page, content) {
   );
   $(button).on('click', async () => {
     try {
-      const { openRobotPicker } = await import('./robotPicker.js');
+      const { openRobotPicker } = await import('./robot/robotPicker.js');
       openRobotPicker(page);
     } catch (error) {
       page.messages.fault(error);

@@ -3,8 +3,8 @@
  * not come back where the browser may remember that.
  */
 import { recall, remember } from './browserStorage.js';
-import { h, symbol } from './dom.js';
-import { icon } from './icons.js';
+import { h, symbol } from './parts/dom.js';
+import { icon } from './parts/icons.js';
 import { TEXT } from './strings.js';
 
 const KEY = 'denavit.hint';

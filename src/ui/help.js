@@ -5,8 +5,8 @@
  * @import { Shortcut } from './shortcuts.js'
  */
 import './css/help.css';
-import { dialogHead, openDialog } from './dialog.js';
-import { h } from './dom.js';
+import { dialogHead, openDialog } from './parts/dialog.js';
+import { h } from './parts/dom.js';
 import { HELP } from './words/help.js';
 
 /**

@@ -6,7 +6,7 @@
  * @import { Tab } from '../model/session.js'
  */
 import { recall, remember } from './browserStorage.js';
-import { h } from './dom.js';
+import { h } from './parts/dom.js';
 import { readWidths, widthAfterKey, withinEdge } from './leftWidth.js';
 import { TEXT } from './strings.js';
 

@@ -2,8 +2,8 @@
  * Faults of the program, said where they can be seen: a banner on the page and a line in the console. What a person
  * does wrong is said by the panels, not here.
  */
-import { h } from './dom.js';
-import { icon } from './icons.js';
+import { h } from './parts/dom.js';
+import { icon } from './parts/icons.js';
 import { TEXT } from './strings.js';
 
 /** What the browsers say when a script, or a stylesheet it needs, cannot be fetched. */

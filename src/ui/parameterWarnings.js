@@ -6,7 +6,7 @@
  * @import { Page } from './page.js'
  */
 import { nearestNames } from './nearestNames.js';
-import { showNote } from './note.js';
+import { showNote } from './parts/note.js';
 import { TEXT } from './strings.js';
 import { PARAMETER } from './words/parameters.js';
 
@@ -54,7 +54,7 @@ function expected(kind, text, values) {
 export function warnOfParameters(page, refused, faults) {
   const { name } = page.store.state.doc.robot;
   const sentences = [...refusedInWords(refused), ...faults.map((fault) => startFaultInWords(fault, name))];
-  const run = async () => (await import('./robotPicker.js')).openRobotPicker(page); // messages.js says it when that fails
+  const run = async () => (await import('./robot/robotPicker.js')).openRobotPicker(page); // messages.js says it when that fails
   showNote(page, {
     text: sentences.length === 1 ? sentences[0] : sentences,
     close: TEXT.close,

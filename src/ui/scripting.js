@@ -6,9 +6,9 @@
  */
 import { writeRobotXml } from '../io/robotXmlWriter.js';
 import { writeUrdf } from '../io/urdf/urdfWriter.js';
-import { aim } from '../model/aim.js';
+import { aim } from '../model/aim/aim.js';
 import { newDocument } from '../model/newDocument.js';
-import { poseFromRows, rowsOf } from '../model/poseRows.js';
+import { poseFromRows, rowsOf } from '../model/numbers/poseRows.js';
 import { LIBRARY_IDS, loadRobot } from '../model/shelf.js';
 
 const OVERTAKEN = 'Another document was opened in the meantime.';
@@ -88,7 +88,7 @@ export function createScripting(page, { ready, clock }) {
      * @throws {RangeError} when the document is too large for a link
      */
     async link({ view = false, panels = false } = {}) {
-      const { shareAddress } = await import('./shareAddress.js');
+      const { shareAddress } = await import('./files/shareAddress.js');
       const link = shareAddress(page, { view, panels });
       if (link === null) throw new RangeError('The document is too large for a link.');
       return link;

@@ -3,13 +3,13 @@
  * screens; which of them is seen where is the stylesheet's business (css/layout.css).
  *
  * @import { Page } from './page.js'
- * @import { IconName } from './icons.js'
+ * @import { IconName } from './parts/icons.js'
  * @import { Room } from '../io/queryParameters.js'
  * @import { Panel, Tab } from '../model/session.js'
  */
 import $ from 'jquery/slim';
-import { h } from './dom.js';
-import { icon } from './icons.js';
+import { h } from './parts/dom.js';
+import { icon } from './parts/icons.js';
 import { createLeftEdge } from './leftEdge.js';
 import { PANELS, TABS, openPanel } from './page.js';
 import { createSkipLinks } from './skipLinks.js';

@@ -3,7 +3,7 @@
  * `id`). While a person types, undo and the question mark are the field's own.
  *
  * @import { Page } from './page.js'
- * @import { Files } from './files.js'
+ * @import { Files } from './files/files.js'
  *
  * @typedef {object} Shortcut
  * @property {'save' | 'open' | 'undo' | 'redo' | 'help'} id

@@ -2,7 +2,7 @@
  * Links before everything else, seen only while the keyboard is on them: to the picture, the table, the joints, the target.
  * @import { Page } from './page.js'
  */
-import { h } from './dom.js';
+import { h } from './parts/dom.js';
 import { openPanel } from './page.js';
 import { TEXT } from './strings.js';
 

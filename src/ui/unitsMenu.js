@@ -1,14 +1,14 @@
 /**
  * The units of the document, as a menu: the numbers convert, the robot stays.
  *
- * @import { Choice } from './choices.js'
+ * @import { Choice } from './parts/choices.js'
  * @import { Page } from './page.js'
  * @import { AngleUnit, LengthUnit, Units } from '../model/document.js'
  */
 import { refusal } from '../model/refusals.js';
-import { withChoices } from './choices.js';
-import { fill, h, spoken } from './dom.js';
-import { icon } from './icons.js';
+import { withChoices } from './parts/choices.js';
+import { fill, h, spoken } from './parts/dom.js';
+import { icon } from './parts/icons.js';
 import { attempt } from './page.js';
 import { TEXT } from './strings.js';
 

@@ -6,7 +6,7 @@
  */
 import { rollPitchYawOf } from '../../kinematics/orientation.js';
 import { compilePose } from '../../model/compile.js';
-import { convertConvention } from '../../model/convertConvention.js';
+import { convertConvention } from '../../model/robot/convertConvention.js';
 import { quantityOf } from '../../model/document.js';
 import { convertAngle, convertLength } from '../../model/units.js';
 import { idsFor } from '../urdf/ids.js';

@@ -1,7 +1,7 @@
 /**
  * The Jacobian, what it is made of, and what it says of the arm.
- * @import { EllipsoidKind } from '../../model/ellipsoid.js'
- * @import { NamedSingularity } from '../../model/singularityNumbers.js'
+ * @import { EllipsoidKind } from '../../model/numbers/ellipsoid.js'
+ * @import { NamedSingularity } from '../../model/numbers/singularityNumbers.js'
  */
 
 /** @type {Record<NamedSingularity, string>} */

@@ -1,6 +1,6 @@
 /**
  * The pendant: buttons that move joints and the tool.
- * @import { JogFrame } from '../../model/jog.js'
+ * @import { JogFrame } from '../../model/jog/jog.js'
  */
 
 /** @type {Record<JogFrame, string>} */

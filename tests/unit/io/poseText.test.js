@@ -1,11 +1,11 @@
 /** Poses as other programs write them: what is read from the text, and the target that comes of it. */
 import { describe, expect, test } from 'vitest';
 import { readPoseText } from '../../../src/io/poseText.js';
-import { poseFromXyzwpr } from '../../../src/model/aim.js';
-import { copyText } from '../../../src/model/copyText.js';
-import { matrixSheet, poseSheet } from '../../../src/model/copySheets.js';
-import { orientationForm } from '../../../src/model/orientationForms.js';
-import { readAs, readingsOf } from '../../../src/model/poseReadings.js';
+import { poseFromXyzwpr } from '../../../src/model/aim/aim.js';
+import { copyText } from '../../../src/model/numbers/copyText.js';
+import { matrixSheet, poseSheet } from '../../../src/model/numbers/copySheets.js';
+import { orientationForm } from '../../../src/model/numbers/orientationForms.js';
+import { readAs, readingsOf } from '../../../src/model/numbers/poseReadings.js';
 import { firstRobot as robot } from '../../../src/model/shelf.js';
 
 const NOW = [1, 2, 3, 40, 50, 60];

@@ -9,7 +9,7 @@ import { readRobotFile } from '../../../src/io/robotFile.js';
 import { readRobotXml, writeRobotXml } from '../../../src/io/robotXml.js';
 import { tcpPose } from '../../../src/kinematics/forward.js';
 import { compileRobot } from '../../../src/model/compile.js';
-import { convertConvention } from '../../../src/model/convertConvention.js';
+import { convertConvention } from '../../../src/model/robot/convertConvention.js';
 import { LIBRARY } from '../../../src/model/library.js';
 import { newDocument } from '../../../src/model/newDocument.js';
 import { validateDocument } from '../../../src/model/validate.js';

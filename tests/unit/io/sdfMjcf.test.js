@@ -5,7 +5,7 @@ import { sdfNames, writeSdf } from '../../../src/io/sdf/sdfWriter.js';
 import { EXPORT_FORMATS } from '../../../src/io/exportFormats.js';
 import { tcpPose } from '../../../src/kinematics/forward.js';
 import { compileRobot } from '../../../src/model/compile.js';
-import { convertConvention } from '../../../src/model/convertConvention.js';
+import { convertConvention } from '../../../src/model/robot/convertConvention.js';
 import { LIBRARY } from '../../../src/model/library.js';
 import { newDocument } from '../../../src/model/newDocument.js';
 import { SEED, runs } from '../../helpers/property.js';

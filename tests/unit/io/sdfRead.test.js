@@ -6,7 +6,7 @@ import { readSdf, writeSdf } from '../../../src/io/sdf.js';
 import { sdfNames } from '../../../src/io/sdf/sdfWriter.js';
 import { tcpPose } from '../../../src/kinematics/forward.js';
 import { compileRobot } from '../../../src/model/compile.js';
-import { convertConvention } from '../../../src/model/convertConvention.js';
+import { convertConvention } from '../../../src/model/robot/convertConvention.js';
 import { LIBRARY } from '../../../src/model/library.js';
 import { newDocument } from '../../../src/model/newDocument.js';
 import { validateDocument } from '../../../src/model/validate.js';

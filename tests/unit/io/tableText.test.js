@@ -7,7 +7,7 @@ import { LIBRARY } from '../../../src/model/library.js';
 import { newDocument } from '../../../src/model/newDocument.js';
 import { applyCommand } from '../../../src/model/commands.js';
 import { refusal } from '../../../src/model/refusals.js';
-import { planPaste } from '../../../src/ui/pasteTablePlan.js';
+import { planPaste } from '../../../src/ui/robot/pasteTablePlan.js';
 import { SEED, runs } from '../../helpers/property.js';
 
 /** @typedef {import('../../../src/model/document.js').Units} Units */

@@ -11,7 +11,7 @@ import {
   pause,
   play,
   stepped,
-} from '../../../src/model/buildUp.js';
+} from '../../../src/model/robot/buildUp.js';
 import { LIBRARY } from '../../../src/model/library.js';
 import { SEED, runs } from '../../helpers/property.js';
 

@@ -1,8 +1,8 @@
 import fc from 'fast-check';
 import { expect, test } from 'vitest';
 import { writeFanucPair } from '../../../src/karel/fanucPair.js';
-import { controllerCode } from '../../../src/model/controllerCode.js';
-import { conventionLines } from '../../../src/model/controllerConvention.js';
+import { controllerCode } from '../../../src/model/controller/controllerCode.js';
+import { conventionLines } from '../../../src/model/controller/controllerConvention.js';
 import { LIBRARY, newDocument } from '../../../src/model/library.js';
 import { runs, SEED } from '../../helpers/property.js';
 import { readKarelPair } from '../karel/pairReader.js';

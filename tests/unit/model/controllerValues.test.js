@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { expect, test } from 'vitest';
-import { pendantValues } from '../../../src/model/controllerValues.js';
+import { pendantValues } from '../../../src/model/controller/controllerValues.js';
 import { LIBRARY } from '../../../src/model/library.js';
 import { runs, SEED } from '../../helpers/property.js';
 

@@ -3,19 +3,25 @@ import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { linkFrames, tcpPose } from '../../../src/kinematics/forward.js';
 import { compilePosture, compileRobot } from '../../../src/model/compile.js';
-import { jointsSheet, KERNEL_UNITS, linksSheet, matrixSheet, poseSheet } from '../../../src/model/copySheets.js';
-import { COPY_FORMATS, copyText } from '../../../src/model/copyText.js';
-import { frameSeenFrom } from '../../../src/model/frameNumbers.js';
+import {
+  jointsSheet,
+  KERNEL_UNITS,
+  linksSheet,
+  matrixSheet,
+  poseSheet,
+} from '../../../src/model/numbers/copySheets.js';
+import { COPY_FORMATS, copyText } from '../../../src/model/numbers/copyText.js';
+import { frameSeenFrom } from '../../../src/model/numbers/frameNumbers.js';
 import { LIBRARY, newDocument } from '../../../src/model/library.js';
-import { linkRows, linkTransform } from '../../../src/model/linkTransforms.js';
-import { orientationForm } from '../../../src/model/orientationForms.js';
-import { rowsOf } from '../../../src/model/poseRows.js';
+import { linkRows, linkTransform } from '../../../src/model/robot/linkTransforms.js';
+import { orientationForm } from '../../../src/model/numbers/orientationForms.js';
+import { rowsOf } from '../../../src/model/numbers/poseRows.js';
 import { SEED, runs } from '../../helpers/property.js';
 
 /** @template T @param {import('fast-check').Arbitrary<T>} any @param {(value: T) => void} holds */
 const property = (any, holds) => fc.assert(fc.property(any, holds), { seed: SEED, numRuns: runs(100) });
 
-/** @typedef {import('../../../src/model/copyText.js').CopyFormat} CopyFormat */
+/** @typedef {import('../../../src/model/numbers/copyText.js').CopyFormat} CopyFormat */
 
 /** Each value by its name, as rows of numbers. @type {Record<CopyFormat, (text: string) => number[][][]>} */
 const READ = {

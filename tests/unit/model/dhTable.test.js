@@ -6,11 +6,11 @@ import { guessColumns } from '../../../src/io/tableTextColumns.js';
 import { tcpPose } from '../../../src/kinematics/forward.js';
 import { applyCommand } from '../../../src/model/commands.js';
 import { compilePosture, compileRobot } from '../../../src/model/compile.js';
-import { dhTableMatlab, dhTablePython } from '../../../src/model/dhTableCode.js';
-import { dhTableText } from '../../../src/model/dhTableText.js';
+import { dhTableMatlab, dhTablePython } from '../../../src/model/robot/dhTableCode.js';
+import { dhTableText } from '../../../src/model/robot/dhTableText.js';
 import { LIBRARY, newDocument } from '../../../src/model/library.js';
-import { rowsOf } from '../../../src/model/poseRows.js';
-import { planPaste } from '../../../src/ui/pasteTablePlan.js';
+import { rowsOf } from '../../../src/model/numbers/poseRows.js';
+import { planPaste } from '../../../src/ui/robot/pasteTablePlan.js';
 import { SEED, runs } from '../../helpers/property.js';
 
 /** @typedef {import('../../../src/model/document.js').Doc} Doc */

@@ -3,7 +3,7 @@ import { describe, expect, test } from 'vitest';
 import { tcpPose } from '../../../src/kinematics/forward.js';
 import { poseDifference } from '../../../src/kinematics/pose.js';
 import { compilePosture, compileRobot } from '../../../src/model/compile.js';
-import { MOST_STEP, followTo, hindranceOf, isOnItsWay, startFollowing } from '../../../src/model/follow.js';
+import { MOST_STEP, followTo, hindranceOf, isOnItsWay, startFollowing } from '../../../src/model/aim/follow.js';
 import { LIBRARY, newDocument } from '../../../src/model/library.js';
 import { SEED, runs } from '../../helpers/property.js';
 
@@ -20,7 +20,7 @@ function shifted(T, by) {
   return goal;
 }
 
-/** @param {import('../../../src/model/follow.js').Following} following @param {Float64Array} goal */
+/** @param {import('../../../src/model/aim/follow.js').Following} following @param {Float64Array} goal */
 function untilThere(following, goal) {
   let now = followTo(following, goal);
   for (let i = 0; i < 100 && isOnItsWay(now); i++) now = followTo(now, goal);

@@ -2,11 +2,11 @@
 import { expect, test } from 'vitest';
 import { linkFrames, tcpPose } from '../../../src/kinematics/forward.js';
 import { compilePosture, compileRobot } from '../../../src/model/compile.js';
-import { frameSeenFrom, framesOf } from '../../../src/model/frameNumbers.js';
+import { frameSeenFrom, framesOf } from '../../../src/model/numbers/frameNumbers.js';
 import { LIBRARY, newDocument } from '../../../src/model/library.js';
-import { LINK_MOTIONS, LINK_SYMBOLS, linkRows, linkTransform } from '../../../src/model/linkTransforms.js';
-import { FIRST_NUMBERS, fitNumbers } from '../../../src/model/numbersView.js';
-import { rowsOf } from '../../../src/model/poseRows.js';
+import { LINK_MOTIONS, LINK_SYMBOLS, linkRows, linkTransform } from '../../../src/model/robot/linkTransforms.js';
+import { FIRST_NUMBERS, fitNumbers } from '../../../src/model/numbers/numbersView.js';
+import { rowsOf } from '../../../src/model/numbers/poseRows.js';
 import { reduce, startState } from '../../../src/model/session.js';
 
 /** @param {number[][]} A @param {number[][]} B */

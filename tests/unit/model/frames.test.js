@@ -2,14 +2,14 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { readRobotXml, writeRobotXml } from '../../../src/io/robotXml.js';
-import { jogFramePose } from '../../../src/model/jogFrame.js';
+import { jogFramePose } from '../../../src/model/jog/jogFrame.js';
 import { createDerived } from '../../../src/model/derived.js';
-import { seenFromUser, targetPose } from '../../../src/model/frames.js';
+import { seenFromUser, targetPose } from '../../../src/model/frames/frames.js';
 import { LIBRARY, newDocument } from '../../../src/model/library.js';
 import { refusal } from '../../../src/model/refusals.js';
 import { reduce, startState } from '../../../src/model/session.js';
 import { createStore } from '../../../src/model/store.js';
-import { toolChange } from '../../../src/model/toolChange.js';
+import { toolChange } from '../../../src/model/frames/toolChange.js';
 import { validateDocument } from '../../../src/model/validate.js';
 import { whatChanged } from '../../../src/model/whatChanged.js';
 import { SEED, runs } from '../../helpers/property.js';

@@ -8,22 +8,22 @@ import { identity } from '../../../src/kinematics/pose.js';
 import { createChain } from '../../../src/kinematics/chain.js';
 import { distanceToSingularity } from '../../../src/kinematics/singularity.js';
 import { compilePosture, compileRobot } from '../../../src/model/compile.js';
-import { copyText } from '../../../src/model/copyText.js';
-import { dexterityNumbers, partOf } from '../../../src/model/dexterityNumbers.js';
-import { ellipsoidAt, ellipsoidScale } from '../../../src/model/ellipsoid.js';
-import { jacobianSheet } from '../../../src/model/jacobianSheets.js';
-import { jacobiansAt, rowsInDocument } from '../../../src/model/jacobianNumbers.js';
-import { FIRST_JACOBIAN } from '../../../src/model/jacobianView.js';
+import { copyText } from '../../../src/model/numbers/copyText.js';
+import { dexterityNumbers, partOf } from '../../../src/model/numbers/dexterityNumbers.js';
+import { ellipsoidAt, ellipsoidScale } from '../../../src/model/numbers/ellipsoid.js';
+import { jacobianSheet } from '../../../src/model/numbers/jacobianSheets.js';
+import { jacobiansAt, rowsInDocument } from '../../../src/model/numbers/jacobianNumbers.js';
+import { FIRST_JACOBIAN } from '../../../src/model/numbers/jacobianView.js';
 import { LIBRARY, newDocument } from '../../../src/model/library.js';
-import { errorCurves } from '../../../src/model/quotients.js';
-import { nearestSingularity } from '../../../src/model/singularityNumbers.js';
-import { jointLoads } from '../../../src/model/statics.js';
+import { errorCurves } from '../../../src/model/numbers/quotients.js';
+import { nearestSingularity } from '../../../src/model/numbers/singularityNumbers.js';
+import { jointLoads } from '../../../src/model/numbers/statics.js';
 import { SEED, runs } from '../../helpers/property.js';
 import { anyChain, oracleForward, sizeOf } from '../kinematics/oracle.js';
 
 /**
  * @import { ChainDescription } from '../../../src/kinematics/chain.js'
- * @import { JacobianFrame } from '../../../src/model/jacobianView.js'
+ * @import { JacobianFrame } from '../../../src/model/numbers/jacobianView.js'
  * @import { Matrix } from '../kinematics/oracle.js'
  */
 

@@ -4,7 +4,7 @@ import { tcpPose } from '../../../src/kinematics/forward.js';
 import { createRandom } from '../../../src/kinematics/random.js';
 import { LIBRARY } from '../../../src/model/library.js';
 import { compileRobot } from '../../../src/model/compile.js';
-import { beginJog, jogFurther, jogJoint, withoutLimits } from '../../../src/model/jog.js';
+import { beginJog, jogFurther, jogJoint, withoutLimits } from '../../../src/model/jog/jog.js';
 import {
   angleBetween,
   columnMajor,

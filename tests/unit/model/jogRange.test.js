@@ -1,7 +1,7 @@
 /** How far sliders go. */
 import fc from 'fast-check';
 import { expect, test } from 'vitest';
-import { grown, inside, isInside, jogRange, limitMargin, zeroPosture } from '../../../src/model/jogRange.js';
+import { grown, inside, isInside, jogRange, limitMargin, zeroPosture } from '../../../src/model/jog/jogRange.js';
 import { LIBRARY } from '../../../src/model/library.js';
 import { SEED, runs } from '../../helpers/property.js';
 

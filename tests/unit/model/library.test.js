@@ -6,8 +6,8 @@ import { tcpPose } from '../../../src/kinematics/forward.js';
 import { compilePosture, compileRobot } from '../../../src/model/compile.js';
 import { homePosture, isSliding } from '../../../src/model/document.js';
 import { FIRST_ROBOT, LIBRARY, LIBRARY_FAMILIES } from '../../../src/model/library.js';
-import { newRobot } from '../../../src/model/newRobot.js';
-import { onPendant } from '../../../src/model/pendantNumbers.js';
+import { newRobot } from '../../../src/model/robot/newRobot.js';
+import { onPendant } from '../../../src/model/controller/pendantNumbers.js';
 import { LIBRARY_IDS, firstRobot, loadRobot } from '../../../src/model/shelf.js';
 
 /** @param {string} name */

@@ -1,9 +1,9 @@
 /** What a singularity takes, where a book says what that is. */
 import { describe, expect, test } from 'vitest';
 import { createChain } from '../../../src/kinematics/chain.js';
-import { lostDirectionAt } from '../../../src/model/lostDirection.js';
-import { lostWanted } from '../../../src/model/lostShown.js';
-import { lostInWords } from '../../../src/ui/lostWords.js';
+import { lostDirectionAt } from '../../../src/model/aim/lostDirection.js';
+import { lostWanted } from '../../../src/model/aim/lostShown.js';
+import { lostInWords } from '../../../src/ui/view/lostWords.js';
 
 /** Two links of 1 m in a plane: stretched, it cannot move along itself. */
 const planar = createChain({

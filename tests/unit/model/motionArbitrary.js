@@ -1,8 +1,8 @@
 /** Chance for motion programs: steps that a two- to six-joint arm could have, steps that nothing could, and the commands. */
 import fc from 'fast-check';
 
-/** @typedef {import('../../../src/model/motionCommands.js').MotionCommand} MotionCommand */
-/** @typedef {import('../../../src/model/motionCommands.js').NewStep} NewStep */
+/** @typedef {import('../../../src/model/program/motionCommands.js').MotionCommand} MotionCommand */
+/** @typedef {import('../../../src/model/program/motionCommands.js').NewStep} NewStep */
 /** @typedef {import('../../../src/model/document.js').StepTarget} StepTarget */
 
 const anyIndex = fc.integer({ min: -1, max: 3 });

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { expect, test } from 'vitest';
-import { REST, createMotionLog, extremes, motionCsv } from '../../../src/model/motionLog.js';
+import { REST, createMotionLog, extremes, motionCsv } from '../../../src/model/jog/motionLog.js';
 import { SEED, runs } from '../../helpers/property.js';
 
 const FRAME = 1 / 60;

@@ -1,8 +1,8 @@
 /** A program of the document becomes moves for the kernel, in its units; what is assumed is named, what cannot be names its step. */
 import { describe, expect, test } from 'vitest';
 import { LIBRARY, newDocument } from '../../../src/model/library.js';
-import { createMotionPlans, motionMoves, postureAt } from '../../../src/model/motionPlan.js';
-import { READY_PROGRAMS, readyProgram } from '../../../src/model/readyPrograms.js';
+import { createMotionPlans, motionMoves, postureAt } from '../../../src/model/program/motionPlan.js';
+import { READY_PROGRAMS, readyProgram } from '../../../src/model/program/readyPrograms.js';
 import { validateDocument } from '../../../src/model/validate.js';
 
 /** @typedef {import('../../../src/model/document.js').Doc} Doc */

@@ -7,7 +7,7 @@ import { validateDocument } from '../../../src/model/validate.js';
 
 /** @typedef {import('../../../src/model/commands.js').Command} Command */
 /** @typedef {import('../../../src/model/document.js').Doc} Doc */
-/** @typedef {import('../../../src/model/motionCommands.js').NewStep} NewStep */
+/** @typedef {import('../../../src/model/program/motionCommands.js').NewStep} NewStep */
 
 const manner = /** @type {const} */ ({ acceleration: 100, ending: { kind: 'fine' } });
 /** @param {import('../../../src/model/document.js').StepTarget} target @returns {NewStep} */

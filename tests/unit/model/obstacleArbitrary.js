@@ -2,8 +2,8 @@
 import fc from 'fast-check';
 
 /** @typedef {import('../../../src/model/document.js').PoseDoc} PoseDoc */
-/** @typedef {import('../../../src/model/obstacles.js').NewObstacle} NewObstacle */
-/** @typedef {import('../../../src/model/obstacles.js').ObstacleCommand} ObstacleCommand */
+/** @typedef {import('../../../src/model/workcell/obstacles.js').NewObstacle} NewObstacle */
+/** @typedef {import('../../../src/model/workcell/obstacles.js').ObstacleCommand} ObstacleCommand */
 
 const anyIndex = fc.integer({ min: -1, max: 3 });
 const sound = fc.double({ min: 0.01, max: 1e3, noNaN: true });

@@ -8,7 +8,7 @@ import { whatChanged } from '../../../src/model/whatChanged.js';
 
 /** @typedef {import('../../../src/model/session.js').AppState} AppState */
 /** @typedef {import('../../../src/model/session.js').Action} Action */
-/** @typedef {import('../../../src/model/obstacles.js').NewObstacle} NewObstacle */
+/** @typedef {import('../../../src/model/workcell/obstacles.js').NewObstacle} NewObstacle */
 
 const start = () =>
   /** @type {import('../../../src/model/store.js').Store<AppState, Action>} */ (

@@ -1,7 +1,7 @@
 /** Each form's numbers, put together again by its own formula, are the orientation; the matrices are made here. */
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { ORIENTATION_FORMS, orientationForm, usersOf } from '../../../src/model/orientationForms.js';
+import { ORIENTATION_FORMS, orientationForm, usersOf } from '../../../src/model/numbers/orientationForms.js';
 import { SEED, runs } from '../../helpers/property.js';
 
 /** @template T @param {import('fast-check').Arbitrary<T>} any @param {(value: T) => void} holds */
@@ -45,7 +45,7 @@ function rodrigues([x, y, z], degrees) {
   return K.map((row, i) => row.map((value, j) => (i === j ? 1 : 0) + s * value + v * K2[i][j]));
 }
 
-/** What a form's own words make of its numbers. @param {import('../../../src/model/orientationNumbers.js').OrientationForm} form @param {readonly number[]} values */
+/** What a form's own words make of its numbers. @param {import('../../../src/model/numbers/orientationNumbers.js').OrientationForm} form @param {readonly number[]} values */
 function rotationBy({ id, product, labels }, values) {
   const byName = Object.fromEntries(labels.map((label, k) => [label, values[k]]));
   if (product)

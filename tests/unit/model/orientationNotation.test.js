@@ -3,7 +3,7 @@ import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { compilePose } from '../../../src/model/compile.js';
 import { isNoPose } from '../../../src/model/noPose.js';
-import { NOTATIONS, orientationOf, withOrientation } from '../../../src/model/orientationNotation.js';
+import { NOTATIONS, orientationOf, withOrientation } from '../../../src/model/numbers/orientationNotation.js';
 import { SEED, runs } from '../../helpers/property.js';
 
 /** @typedef {import('../../../src/model/document.js').PoseDoc} PoseDoc */

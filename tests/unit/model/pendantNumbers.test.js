@@ -8,8 +8,8 @@ import {
   postureFromPendant,
   withPendantValue,
   zeroOnPendant,
-} from '../../../src/model/pendantNumbers.js';
-import { hasPendant } from '../../../src/model/controllerData.js';
+} from '../../../src/model/controller/pendantNumbers.js';
+import { hasPendant } from '../../../src/model/controller/controllerData.js';
 import { runs, SEED } from '../../helpers/property.js';
 
 /** @import { ControllerDoc, JointDoc, RobotDoc, Units } from '../../../src/model/document.js' */

@@ -1,8 +1,8 @@
 import { describe, expect, test } from 'vitest';
 import { compilePosture, compileRobot } from '../../../src/model/compile.js';
 import { LIBRARY, newDocument } from '../../../src/model/library.js';
-import { GROUPS, columnsOf, planCsv, unitText } from '../../../src/model/planColumns.js';
-import { indexAt, sampleSeries, sampleTimes, steppedTimes, valueAt } from '../../../src/model/planSeries.js';
+import { GROUPS, columnsOf, planCsv, unitText } from '../../../src/model/program/planColumns.js';
+import { indexAt, sampleSeries, sampleTimes, steppedTimes, valueAt } from '../../../src/model/program/planSeries.js';
 import { tcpPose } from '../../../src/kinematics/forward.js';
 import { planMotion } from '../../../src/motion/plan.js';
 

@@ -1,7 +1,7 @@
 /** A plan is of the question it answers, and of no other: what is stale is never played. */
 import { describe, expect, test } from 'vitest';
 import { LIBRARY, newDocument } from '../../../src/model/library.js';
-import { isSameQuestion } from '../../../src/model/planning.js';
+import { isSameQuestion } from '../../../src/model/program/planning.js';
 
 /** @import { MotionProgramDoc } from '../../../src/model/document.js' */
 

@@ -11,11 +11,11 @@ import {
   scrub,
   toNext,
   toPrevious,
-} from '../../../src/model/player.js';
+} from '../../../src/model/program/player.js';
 import { SEED, runs } from '../../helpers/property.js';
 
 /** @typedef {import('../../../src/motion/plan.js').MotionPart} MotionPart */
-/** @typedef {import('../../../src/model/player.js').Playback} Playback */
+/** @typedef {import('../../../src/model/program/player.js').Playback} Playback */
 /** @typedef {(playback: Playback) => Playback} Step */
 
 const first = firstPlayback('program_1', [0, 0]);

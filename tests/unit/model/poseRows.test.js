@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { poseFromRows, rowsOf } from '../../../src/model/poseRows.js';
+import { poseFromRows, rowsOf } from '../../../src/model/numbers/poseRows.js';
 
 const rows = [
   [0, -1, 0, 0.1],

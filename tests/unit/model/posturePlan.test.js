@@ -1,12 +1,12 @@
 import { expect, test } from 'vitest';
 import { applyCommand } from '../../../src/model/commands.js';
 import { LIBRARY, newDocument } from '../../../src/model/library.js';
-import { planPostures } from '../../../src/model/posturePlan.js';
+import { planPostures } from '../../../src/model/program/posturePlan.js';
 import { refusal } from '../../../src/model/refusals.js';
 import { whatChanged } from '../../../src/model/whatChanged.js';
 
 /** @import { Doc } from '../../../src/model/document.js' */
-/** @import { PostureCommand } from '../../../src/model/postureCommand.js' */
+/** @import { PostureCommand } from '../../../src/model/program/postureCommand.js' */
 
 /** @type {Doc} */
 const doc = {

@@ -1,7 +1,7 @@
 /** The small pictures of the library. */
 import { describe, expect, test } from 'vitest';
 import { LIBRARY } from '../../../src/model/library.js';
-import { sketchRobot } from '../../../src/model/robotSketch.js';
+import { sketchRobot } from '../../../src/model/robot/robotSketch.js';
 
 describe.each(Object.entries(LIBRARY))('%s', (_id, robot) => {
   const { line, joints, ground, reach } = sketchRobot(robot);

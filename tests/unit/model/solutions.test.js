@@ -4,9 +4,9 @@
  */
 import { describe, expect, test } from 'vitest';
 import { compilePosture, compileRobot } from '../../../src/model/compile.js';
-import { pendantValues } from '../../../src/model/controllerValues.js';
-import { poseFromXyzwpr, xyzwprOf } from '../../../src/model/aim.js';
-import { familyLine } from '../../../src/model/families.js';
+import { pendantValues } from '../../../src/model/controller/controllerValues.js';
+import { poseFromXyzwpr, xyzwprOf } from '../../../src/model/aim/aim.js';
+import { familyLine } from '../../../src/model/aim/families.js';
 import { LIBRARY, newDocument } from '../../../src/model/library.js';
 import {
   configurationAt,
@@ -14,7 +14,7 @@ import {
   inOrderOf,
   solveAll,
   travelBetween,
-} from '../../../src/model/solutions.js';
+} from '../../../src/model/aim/solutions.js';
 import { oracleForward } from '../kinematics/oracle.js';
 
 /** @typedef {import('../../../src/model/document.js').RobotDoc} RobotDoc */

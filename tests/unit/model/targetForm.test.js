@@ -1,12 +1,12 @@
 /** The target in every form: what is shown is what is kept, what is typed is what is meant. */
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { poseFromXyzwpr } from '../../../src/model/aim.js';
-import { ORIENTATION_FORMS, orientationForm } from '../../../src/model/orientationForms.js';
+import { poseFromXyzwpr } from '../../../src/model/aim/aim.js';
+import { ORIENTATION_FORMS, orientationForm } from '../../../src/model/numbers/orientationForms.js';
 import { firstRobot } from '../../../src/model/shelf.js';
-import { targetFrom, targetNumbers } from '../../../src/model/targetForm.js';
-import { targetGivenIn, targetSeenFrom } from '../../../src/model/targetFrame.js';
-import { targetFromMatrix, targetRows } from '../../../src/model/targetMatrix.js';
+import { targetFrom, targetNumbers } from '../../../src/model/aim/targetForm.js';
+import { targetGivenIn, targetSeenFrom } from '../../../src/model/aim/targetFrame.js';
+import { targetFromMatrix, targetRows } from '../../../src/model/aim/targetMatrix.js';
 import { SEED, runs } from '../../helpers/property.js';
 
 /** @template T @param {import('fast-check').Arbitrary<T>} any @param {(value: T) => void} holds */

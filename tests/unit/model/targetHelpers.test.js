@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
-import { poseFromXyzwpr } from '../../../src/model/aim.js';
+import { poseFromXyzwpr } from '../../../src/model/aim/aim.js';
 import { LIBRARY } from '../../../src/model/library.js';
-import { lookingAt, pointInWorld, toolDown, turnedAs } from '../../../src/model/targetHelpers.js';
+import { lookingAt, pointInWorld, toolDown, turnedAs } from '../../../src/model/aim/targetHelpers.js';
 
 const T = poseFromXyzwpr(LIBRARY.puma560, [400, -100, 700, 30, -50, 110]);
 const column = (/** @type {Float64Array} */ M, /** @type {number} */ k) => [...M.subarray(4 * k, 4 * k + 3)];

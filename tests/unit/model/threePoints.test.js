@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { expect, test } from 'vitest';
 import { compilePose } from '../../../src/model/compile.js';
-import { frameFromPoints } from '../../../src/model/threePoints.js';
+import { frameFromPoints } from '../../../src/model/frames/threePoints.js';
 import { SEED, runs } from '../../helpers/property.js';
 
 /** @param {ArrayLike<number>} a @param {ArrayLike<number>} b */

@@ -6,10 +6,10 @@ import { reduce, startState } from '../../../src/model/session.js';
 import { firstRobot } from '../../../src/model/shelf.js';
 import { startDocument } from '../../../src/model/startDocument.js';
 import { createStore } from '../../../src/model/store.js';
-import { createTrace, isSameShape, traceOf } from '../../../src/model/trace.js';
+import { createTrace, isSameShape, traceOf } from '../../../src/model/jog/trace.js';
 import { SEED, runs } from '../../helpers/property.js';
 
-/** @import { Trace } from '../../../src/model/trace.js' */
+/** @import { Trace } from '../../../src/model/jog/trace.js' */
 
 /** Two links of 1 m in a plane. */
 const planar = createChain({

@@ -3,7 +3,7 @@ import { expect, test } from 'vitest';
 import { createDerived } from '../../../src/model/derived.js';
 import { LIBRARY, newDocument } from '../../../src/model/library.js';
 import { applyCommand } from '../../../src/model/commands.js';
-import { createWorkcells, linkRadii } from '../../../src/model/workcell.js';
+import { createWorkcells, linkRadii } from '../../../src/model/workcell/workcell.js';
 
 /** @import { Doc, ObstacleDoc } from '../../../src/model/document.js' */
 

@@ -3,16 +3,16 @@ import { describe, expect, test } from 'vitest';
 import { createChain } from '../../../src/kinematics/chain.js';
 import { linkFrames } from '../../../src/kinematics/forward.js';
 import { translation } from '../../../src/kinematics/pose.js';
-import { armParts } from '../../../src/render/armParts.js';
-import { solidOf } from '../../../src/render/solid.js';
+import { armParts } from '../../../src/render/arm/armParts.js';
+import { solidOf } from '../../../src/render/arm/solid.js';
 import { SEED, runs } from '../../helpers/property.js';
 import { anyChain, anyRows, apply, framesByHand, libraryArms, placed, rangeOf, rowsOf, times } from './arms.js';
 
 /**
  * @import { Chain } from '../../../src/kinematics/chain.js'
  * @import { JointRow } from '../../../src/kinematics/joint.js'
- * @import { Part } from '../../../src/render/armParts.js'
- * @import { LinkStyle } from '../../../src/render/linkPieces.js'
+ * @import { Part } from '../../../src/render/arm/armParts.js'
+ * @import { LinkStyle } from '../../../src/render/arm/linkPieces.js'
  */
 
 const RIGHT = Math.PI / 2;

@@ -3,7 +3,7 @@
  * equation 3.10; Craig, equation 3.6), sharing nothing with the kernel or the scene.
  *
  * @import { JointRow } from '../../../src/kinematics/joint.js'
- * @import { Part } from '../../../src/render/armParts.js'
+ * @import { Part } from '../../../src/render/arm/armParts.js'
  *
  * @typedef {number[][]} Rows  a homogeneous transform, row by row
  */
@@ -11,7 +11,7 @@ import fc from 'fast-check';
 import { createChain } from '../../../src/kinematics/chain.js';
 import { compileRobot } from '../../../src/model/compile.js';
 import { LIBRARY } from '../../../src/model/library.js';
-import { solidOf } from '../../../src/render/solid.js';
+import { solidOf } from '../../../src/render/arm/solid.js';
 
 export const libraryArms = Object.entries(LIBRARY).map(
   ([id, robot]) => /** @type {const} */ ([id, compileRobot(robot)]),

@@ -10,7 +10,7 @@ import { ConeGeometry, Group, Mesh, PerspectiveCamera, Scene, SphereGeometry, Ve
 import { describe, expect, test } from 'vitest';
 import { createChain } from '../../../src/kinematics/chain.js';
 import { linkFrames } from '../../../src/kinematics/forward.js';
-import { createDimensionMarks } from '../../../src/render/dimension.js';
+import { createDimensionMarks } from '../../../src/render/marks/dimension.js';
 import { eyeOf } from '../../../src/render/eye.js';
 import { skinOf } from '../../../src/render/skins.js';
 import { SEED, runs } from '../../helpers/property.js';

@@ -1,6 +1,6 @@
 /**
  * Keys on a tool that is taken: which part of the handle they light, and which goal they ask for.
- * @import { DragRun } from '../../../src/render/dragRun.js'
+ * @import { DragRun } from '../../../src/render/drag/dragRun.js'
  * @import { State } from '../../../src/render/robotView.js'
  */
 import { expect, test } from 'vitest';
@@ -9,7 +9,7 @@ import { reduce, startState } from '../../../src/model/session.js';
 import { firstRobot } from '../../../src/model/shelf.js';
 import { startDocument } from '../../../src/model/startDocument.js';
 import { createStore } from '../../../src/model/store.js';
-import { createToolKeys } from '../../../src/render/dragByKeys.js';
+import { createToolKeys } from '../../../src/render/drag/dragByKeys.js';
 
 function taken() {
   const { doc } = startDocument(firstRobot, { units: null, q: null, isOther: false });

@@ -1,8 +1,8 @@
 /** What all sets of marks share: when they are drawn anew, when they only follow, and that nothing is left behind. */
 import { expect, test } from 'vitest';
-import { createMarkSet } from '../../../src/render/markSet.js';
+import { createMarkSet } from '../../../src/render/marks/markSet.js';
 
-/** @typedef {import('../../../src/render/marks.js').ArmNow} ArmNow */
+/** @typedef {import('../../../src/render/marks/marks.js').ArmNow} ArmNow */
 /** @typedef {import('../../../src/render/skins.js').Skin} Skin */
 
 const [arm, otherArm] = ['arm', 'other arm'].map((name) => /** @type {ArmNow} */ (/** @type {unknown} */ ({ name })));

@@ -1,8 +1,8 @@
 import fc from 'fast-check';
 import { expect, test } from 'vitest';
 import { linkFrames } from '../../../src/kinematics/forward.js';
-import { ROW_MOTIONS, motionAt } from '../../../src/model/rowMotions.js';
-import { carried, rowSteps } from '../../../src/render/rowSteps.js';
+import { ROW_MOTIONS, motionAt } from '../../../src/model/robot/rowMotions.js';
+import { carried, rowSteps } from '../../../src/render/marks/rowSteps.js';
 import { SEED, runs } from '../../helpers/property.js';
 import { anyChain, framesByHand } from './arms.js';
 

@@ -4,7 +4,7 @@ import { Mesh, Vector3 } from 'three';
 import { createChain } from '../../../src/kinematics/chain.js';
 import { translation } from '../../../src/kinematics/pose.js';
 import { createFrameLoop, createManualClock } from '../../../src/model/clock.js';
-import { createArmModel } from '../../../src/render/armModel.js';
+import { createArmModel } from '../../../src/render/arm/armModel.js';
 import { createScene } from '../../../src/render/scene.js';
 import { skinOf } from '../../../src/render/skins.js';
 import { SEED, runs } from '../../helpers/property.js';

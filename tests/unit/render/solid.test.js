@@ -1,9 +1,9 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { bar, beam, cone, drum, solidOf, stub } from '../../../src/render/solid.js';
+import { bar, beam, cone, drum, solidOf, stub } from '../../../src/render/arm/solid.js';
 import { SEED, runs } from '../../helpers/property.js';
 
-/** @import { Shape, Solid } from '../../../src/render/solid.js' */
+/** @import { Shape, Solid } from '../../../src/render/arm/solid.js' */
 
 const size = fc.double({ min: 0.01, max: 2, noNaN: true });
 const place = fc.double({ min: -2, max: 2, noNaN: true });

@@ -1,13 +1,13 @@
 import { expect, test } from 'vitest';
 import { Scene } from 'three';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
-import { createTrace } from '../../../src/model/trace.js';
-import { createTraceMark } from '../../../src/render/traceMark.js';
+import { createTrace } from '../../../src/model/jog/trace.js';
+import { createTraceMark } from '../../../src/render/marks/traceMark.js';
 import { skinOf } from '../../../src/render/skins.js';
 import { libraryArms } from './arms.js';
 import { fakeLabels } from './fakeLabels.js';
 
-/** @import { ArmNow } from '../../../src/render/marks.js' */
+/** @import { ArmNow } from '../../../src/render/marks/marks.js' */
 
 const [, chain] = libraryArms[0];
 

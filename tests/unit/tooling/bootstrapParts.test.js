@@ -25,7 +25,7 @@ const classesOf = (css) => new Set([...css.matchAll(/([^{};]+)\{/g)].flatMap(([,
 test('every class of Bootstrap that the page names is among the parts that are kept', () => {
   const whole = classesOf(WHOLE);
   const kept = classesOf(parts);
-  const named = readdirSync(join(ROOT, 'src/ui'))
+  const named = readdirSync(join(ROOT, 'src/ui'), { recursive: true, encoding: 'utf8' })
     .filter((name) => name.endsWith('.js'))
     .flatMap((name) => [
       ...readFileSync(join(ROOT, 'src/ui', name), 'utf8').matchAll(

@@ -2,10 +2,10 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { DH_FIELDS, quantityOf } from '../../../src/model/document.js';
-import { convertUnits } from '../../../src/model/convertUnits.js';
+import { convertUnits } from '../../../src/model/robot/convertUnits.js';
 import { LIBRARY, newDocument } from '../../../src/model/library.js';
-import { evaluate } from '../../../src/ui/expression.js';
-import { answerExpression } from '../../../src/ui/expressionAnswer.js';
+import { evaluate } from '../../../src/ui/parts/expression.js';
+import { answerExpression } from '../../../src/ui/parts/expressionAnswer.js';
 import { SEED, runs } from '../../helpers/property.js';
 
 /** @typedef {import('../../../src/model/document.js').Units} Units */
@@ -130,12 +130,12 @@ describe('the answer of a field', () => {
   test('to π among degrees is a question with two ways out, each of which is an answer', () => {
     const asked = answerExpression('-pi/2', measure);
     expect(asked).toMatchObject({ value: null, isQuestion: true });
-    const { ways = [] } = /** @type {import('../../../src/ui/numberText.js').Refused} */ (asked);
+    const { ways = [] } = /** @type {import('../../../src/ui/parts/numberText.js').Refused} */ (asked);
     expect(ways.map(({ label }) => label)).toEqual(['-π/2 rad = −90°', '−1.5708°']);
     expect(answerExpression(ways[0].text, measure)).toEqual({ value: -90, reason: null, text: '-pi/2 rad' });
     expect(answerExpression(ways[1].text, measure)).toMatchObject({ value: -Math.PI / 2, text: '-pi/2 deg' });
     const sum = answerExpression('pi/2 + pi/4', measure);
-    const { ways: waysOfSum = [] } = /** @type {import('../../../src/ui/numberText.js').Refused} */ (sum);
+    const { ways: waysOfSum = [] } = /** @type {import('../../../src/ui/parts/numberText.js').Refused} */ (sum);
     expect(answerExpression(waysOfSum[0].text, measure)).toMatchObject({ value: 135, text: '(pi/2 + pi/4) rad' });
   });
 

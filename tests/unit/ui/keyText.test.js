@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { keyText } from '../../../src/ui/keyText.js';
+import { keyText } from '../../../src/ui/parts/keyText.js';
 
 /** A field with “|” where the cursor stands, or around what is chosen. @param {string} shown @param {Parameters<typeof keyText>[0][]} keys */
 function typed(shown, ...keys) {

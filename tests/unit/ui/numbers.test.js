@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
-import { compact, editable, fixed, jointNumber, plain, poseNumber, withUnit } from '../../../src/ui/format.js';
-import { fractionOfPi, readNumber } from '../../../src/ui/numberText.js';
+import { compact, editable, fixed, jointNumber, plain, poseNumber, withUnit } from '../../../src/ui/parts/format.js';
+import { fractionOfPi, readNumber } from '../../../src/ui/parts/numberText.js';
 
 describe('a number on the screen', () => {
   test('has a true minus and is never minus zero', () => {

@@ -1,8 +1,8 @@
 /** What a plan assumes and changes is said, in the document's units. */
 import { expect, test } from 'vitest';
-import { planNotes } from '../../../src/ui/planNotes.js';
+import { planNotes } from '../../../src/ui/program/planNotes.js';
 
-/** @import { Planned } from '../../../src/model/planned.js' */
+/** @import { Planned } from '../../../src/model/program/planned.js' */
 
 const MM = /** @type {const} */ ({ length: 'mm', angle: 'deg' });
 

@@ -1,0 +1,25 @@
+/**
+ * What is fetched when it is first wanted; if that fails it is said, and tried again when it is next wanted.
+ *
+ * @import { Page } from '../page.js'
+ * @import { AppState } from '../../model/session.js'
+ */
+
+/**
+ * @param {Pick<Page, 'addView' | 'messages'>} page
+ * @param {(state: AppState) => boolean} isWanted
+ * @param {() => Promise<void>} start
+ */
+export function whenFirst({ addView, messages }, isWanted, start) {
+  let isStarted = false;
+  addView(isWanted, async (isWantedNow) => {
+    if (!isWantedNow || isStarted) return;
+    isStarted = true;
+    try {
+      await start();
+    } catch (error) {
+      isStarted = false;
+      messages.fault(error);
+    }
+  });
+}

@@ -1,0 +1,300 @@
+/**
+ * Motion programs: recorded, put in order, edited; and, folded away, the recorded postures. Fetched when it is first opened.
+ *
+ * @import { Files } from '../files/files.js'
+ * @import { Page } from '../page.js'
+ * @import { StepAct } from './stepCard.js'
+ * @import { MoveStep, PoseTarget } from '../../model/document.js'
+ * @import { MotionCommand, NewStep } from '../../model/program/motionCommands.js'
+ */
+import { memo } from '../../model/memo.js';
+import { isMove } from '../../model/program/motionProgram.js';
+import { motionMoves, postureAt } from '../../model/program/motionPlan.js';
+import { poseHere, postureHere, recordedStep } from '../../model/program/newSteps.js';
+import { firstPlayback } from '../../model/program/player.js';
+import { planNow } from '../../model/program/planning.js';
+import { shownProgram } from '../../model/program/shownProgram.js';
+import { travelBetween } from '../../model/aim/solutions.js';
+import { together } from '../../model/views.js';
+import '../css/program.css';
+import '../css/motionProgram.css';
+import { fill, h } from '../parts/dom.js';
+import { emptyState } from '../parts/emptyState.js';
+import { foldMaker } from '../parts/fold.js';
+import { icon } from '../parts/icons.js';
+import { attempt } from '../page.js';
+import { planNotes } from './planNotes.js';
+import { createPosturesList } from './posturesList.js';
+import { createProgramHead } from './programHead.js';
+import { createProgramName } from './programName.js';
+import { createStepTable } from './programTable.js';
+import { createReasons } from '../parts/reasons.js';
+import { createStepCard } from './stepCard.js';
+import { emptyPicture } from './stepText.js';
+import { travelTo } from '../travel.js';
+import { PLAN_NOTES } from '../words/planNotes.js';
+import { POSTURES, PROGRAM } from '../words/program.js';
+
+/**
+ * @param {Page} page
+ * @param {HTMLElement} host
+ * @param {Files} files
+ */
+export function createProgramPanel(page, host, files) {
+  const { store, addView, derived, announce, clock, messages } = page;
+  const reasons = createReasons('step-reason');
+  const against = h('p', { class: 'reason sm', role: 'note', hidden: true });
+
+  /** @param {string | null} reason */
+  function refuse(reason) {
+    against.textContent = reason ?? '';
+    against.hidden = reason === null;
+    if (reason !== null) announce(reason);
+  }
+
+  /** @param {MotionCommand} command @param {() => string} [done]  in words @returns {boolean} */
+  function carryOut(command, done) {
+    const reason = attempt(page, command);
+    refuse(reason);
+    if (reason === null && done) announce(done());
+    return reason === null;
+  }
+
+  const choose = (/** @type {string | null} */ step) => store.dispatch({ type: 'show', change: { step } });
+
+  /** Steps after the chosen one, or at the end; in a program that is made for them where there is none. @param {NewStep} step */
+  function insert(step) {
+    const { program, index, step: chosen } = shownProgram(store.state);
+    const at = program === null ? 0 : chosen < 0 ? program.steps.length : chosen + 1;
+    const isDone = carryOut(
+      program === null
+        ? { type: 'add-motion-program', name: PROGRAM.newName(1), steps: [step] }
+        : { type: 'insert-steps', program: index, at, steps: [step] },
+    );
+    if (!isDone) return null;
+    choose(store.state.doc.motionPrograms[program === null ? 0 : index].steps[at].id);
+    return at + 1;
+  }
+
+  function record() {
+    const { doc, session } = store.state;
+    const { program, step } = shownProgram(store.state);
+    const { recording } = session;
+    const chain = derived.chain(doc);
+    if (recording.kind === 'circular' && recording.via === null) {
+      const via = /** @type {PoseTarget} */ (poseHere(doc, chain));
+      store.dispatch({ type: 'show', change: { recording: { ...recording, via } } });
+      announce(PROGRAM.recordedVia);
+      return;
+    }
+    const before = program?.steps.slice(0, step < 0 ? undefined : step + 1) ?? [];
+    const number = insert(recordedStep(doc, chain, recording, before));
+    if (number === null) return;
+    if (recording.via) store.dispatch({ type: 'show', change: { recording: { ...recording, via: null } } });
+    announce(PROGRAM.recorded(number));
+  }
+
+  /** @param {number} from @param {number} to */
+  function move(from, to) {
+    const { program, index } = shownProgram(store.state);
+    if (!program || to < 0 || to >= program.steps.length) return;
+    const { id } = program.steps[from];
+    if (carryOut({ type: 'move-step', program: index, step: from, to }, () => PROGRAM.done.moved(to + 1))) {
+      choose(id);
+      focusWhenDrawn(to);
+    }
+  }
+
+  /** @param {number} step */
+  function remove(step) {
+    const { program, index } = shownProgram(store.state);
+    if (!program) return;
+    const next = program.steps[step + 1] ?? program.steps[step - 1] ?? null;
+    const isDone = carryOut({ type: 'remove-steps', program: index, step, count: 1 }, () =>
+      PROGRAM.done.remove(step + 1),
+    );
+    if (!isDone) return;
+    choose(next?.id ?? null);
+    if (next) focusWhenDrawn(Math.min(step, program.steps.length - 2));
+  }
+
+  /** @param {number} step */
+  const focusWhenDrawn = (step) => clock.onFrame(() => clock.onFrame(() => table.focus(step)));
+
+  /** Where a step ends is drawn as a ghost. @param {number | null} index */
+  function look(index) {
+    const { program } = shownProgram(store.state);
+    const step = index === null ? undefined : program?.steps[index];
+    const { doc, session } = store.state;
+    const found = step && isMove(step) ? postureAt(doc, step) : null;
+    const isElsewhere =
+      found && 'posture' in found && !travelBetween(doc.robot, derived.chain(doc), doc.posture, found.posture).isHere;
+    const ghost = isElsewhere ? { posture: found.posture, label: PROGRAM.ghost((index ?? 0) + 1) } : null;
+    if (ghost || session.ghost) store.dispatch({ type: 'show', change: { ghost } });
+  }
+
+  /** @param {StepAct} act */
+  function carryOutOn(act) {
+    const { program, index, step: at } = shownProgram(store.state);
+    const step = program?.steps[at];
+    if (!program || !step) return;
+    const { doc } = store.state;
+    const edit = (/** @type {object} */ change, /** @type {string} */ done) =>
+      carryOut({ type: 'edit-step', program: index, step: at, to: { ...step, ...change } }, () => done);
+    if (act === 'go' && isMove(step)) go(step, at + 1);
+    else if (act === 'again' && isMove(step)) {
+      const isPosture = step.target.kind === 'posture' || (step.kind === 'joint' && step.target.kind !== 'pose');
+      const target = isPosture ? postureHere(doc) : poseHere(doc, derived.chain(doc));
+      const frame = isPosture ? {} : { frame: doc.activeUser };
+      edit({ target, ...frame }, PROGRAM.done.again(at + 1));
+    } else if (act === 'duplicate') {
+      if (
+        carryOut({ type: 'insert-steps', program: index, at: at + 1, steps: [step] }, () =>
+          PROGRAM.done.duplicate(at + 1),
+        )
+      )
+        choose(store.state.doc.motionPrograms[index].steps[at + 1].id);
+    } else if (act === 'disable') {
+      const isOff = step.disabled === true;
+      edit({ disabled: isOff ? undefined : true }, PROGRAM.done[isOff ? 'enable' : 'disable'](at + 1));
+    } else if (act === 'remove') remove(at);
+  }
+
+  /** @param {MoveStep} step @param {number} number */
+  function go(step, number) {
+    const found = postureAt(store.state.doc, step);
+    if ('message' in found) return refuse(found.message);
+    refuse(null);
+    travelTo(page, found.posture);
+    announce(PROGRAM.went(number));
+  }
+
+  /** @param {string} id */
+  function chooseProgram(id) {
+    const { doc, session } = store.state;
+    store.dispatch({
+      type: 'show',
+      change: { playback: firstPlayback(id, doc.posture, session.playback), step: null },
+    });
+  }
+
+  const head = createProgramHead(page, {
+    record,
+    add(step) {
+      const number = insert(step);
+      if (number !== null) announce(PROGRAM.added(number));
+    },
+    choose: chooseProgram,
+    rename: () => name.focus(),
+    say: announce,
+    refuse,
+  });
+  const table = createStepTable(page, reasons, {
+    choose(index) {
+      const id = shownProgram(store.state).program?.steps[index]?.id ?? null;
+      if (id !== store.state.session.step) choose(id);
+    },
+    look,
+    move,
+    remove,
+  });
+  const card = createStepCard(page, reasons, carryOutOn);
+  const name = createProgramName(page, reasons);
+  const recordFirst = h(
+    'button',
+    { type: 'button', class: 'btn btn-primary', 'data-action': 'record' },
+    icon('record'),
+    PROGRAM.record,
+  );
+  recordFirst.addEventListener('click', record);
+  const empty = emptyState(
+    PROGRAM.empty,
+    PROGRAM.emptyDetail,
+    h('div', { class: 'actions' }, recordFirst, head.examples),
+  );
+
+  empty.prepend(emptyPicture());
+
+  const fold = foldMaker(clock, messages.fault)('postures', async (body) => createPosturesList(page, body, files));
+  fold.element.classList.add('postures');
+  const list = h('ul', { class: 'plan-notes sm' });
+  const notes = foldMaker(clock, messages.fault)('plan-notes', async (body) => void fill(body, list));
+  // until the first drawing knows which of them are called for
+  for (const part of [head.element, table.element, notes.element, empty]) part.hidden = true;
+  fill(
+    host,
+    head.element,
+    table.element,
+    against,
+    reasons.element,
+    name.element,
+    card.element,
+    notes.element,
+    empty,
+    fold.element,
+  );
+  if (store.state.doc.postures.length > 0) fold.set(true);
+
+  /** What cannot be a move is marked where it stands. Where the arm is decides nothing of it. */
+  const faultsOf = memo(
+    /** @param {unknown} _robot @param {unknown} _frames @param {unknown} _targets @param {unknown} programs @param {number} index */
+    (_robot, _frames, _targets, programs, index) => {
+      const { doc } = store.state;
+      const program = programs === doc.motionPrograms ? doc.motionPrograms[index] : undefined;
+      const { issues } = program ? motionMoves(doc, program) : { issues: [] };
+      return new Map(issues.map(({ step, message }) => [step, message]));
+    },
+  );
+
+  addView(
+    together(({ doc, session }) => [
+      doc.robot,
+      doc.frames,
+      doc.targets,
+      doc.motionPrograms,
+      doc.postures,
+      session.step,
+      session.recording,
+      session.playback?.program,
+    ]),
+    () => {
+      const { doc } = store.state;
+      const { program, index, step } = shownProgram(store.state);
+      const isEmpty = program === null || program.steps.length === 0;
+      const faults = faultsOf(doc.robot, doc.frames, doc.targets, doc.motionPrograms, index);
+      head.draw();
+      empty.hidden = !isEmpty;
+      table.element.hidden = isEmpty;
+      if (program) table.draw(doc, index, step, faults);
+      card.draw(doc, index, step);
+      name.draw(program, index, step < 0 && !isEmpty);
+      const [fault] = faults.values();
+      if (fault !== undefined) refuse(null);
+      fill(issue, fault ?? '');
+      issue.hidden = fault === undefined;
+      fold.setHead(POSTURES.title, POSTURES.count(doc.postures.length));
+    },
+  );
+  addView(
+    together((state) => [planNow(state), state.doc.robot.units]),
+    ([planned, units]) => {
+      const said = planned ? planNotes(planned, units) : [];
+      notes.element.hidden = said.length === 0;
+      notes.setHead(PLAN_NOTES.title, PLAN_NOTES.count(said.length));
+      fill(
+        list,
+        said.map((text) => h('li', {}, text)),
+      );
+    },
+  );
+  const issue = h('p', { class: 'reason sm', role: 'note', hidden: true });
+  table.element.after(issue);
+  addView(
+    ({ session }) => session.edition,
+    () => {
+      table.forget();
+      card.forget();
+      refuse(null);
+    },
+  );
+}

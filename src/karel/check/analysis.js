@@ -6,7 +6,7 @@
  * @import { Diagnostic } from '../parse/cursor.js'
  * @import { Files } from '../parser.js'
  * @import { Scope, Symbol } from './declarations.js'
- * @import { Context } from './expressions.js'
+ * @import { Context } from './context.js'
  * @import { Type } from './types.js'
  *
  * @typedef {object} Analysis

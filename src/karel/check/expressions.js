@@ -1,24 +1,15 @@
 /**
- * The type of every expression, and what is against it. What was found out is kept by node, for the interpreter.
+ * The type of every expression, and what is against it.
  *
- * @import { Binary, Call, Designator, Expression, Field, Index, Name, Span, Unary } from '../tree.js'
- * @import { Builtin } from './builtins.js'
- * @import { Scope, Symbol, RoutineSymbol } from './declarations.js'
+ * @import { Binary, Call, Expression, Field, Index, Name, Unary } from '../tree.js'
+ * @import { Context } from './context.js'
  * @import { Type } from './types.js'
- *
- * @typedef {object} Context
- * @property {Scope} scope
- * @property {Map<string, Symbol>} locals
- * @property {Type[]} using                       structures whose fields are named alone
- * @property {Designator[]} usingNodes
- * @property {RoutineSymbol | null} routine
- * @property {Map<object, Type>} typeOf
- * @property {Map<object, Symbol>} symbolOf
- * @property {Map<object, Designator>} usingOf    the structure that a name alone is a field of
  */
 import { BOOLEAN_PORTS, INTEGER_PORTS } from '../ports.js';
-import { BUILTINS, isKnownRoutine, signatureText, WORDS } from './builtins.js';
+import { isKnownRoutine } from './builtins.js';
+import { typeOfCallOf } from './calls.js';
 import { PREDEFINED, PREDEFINED_FILES } from './constants.js';
+import { unknownName } from './context.js';
 import { binaryType } from './operators.js';
 import * as types from './types.js';
 
@@ -80,13 +71,6 @@ function typeOfName(node, context) {
     return typeOfCall({ kind: 'call', name: node.name, args: [], span: node.span }, context, true);
   unknownName(node.name, node.span, context, 'a variable, a constant or a function');
   return types.UNKNOWN;
-}
-
-/** @param {string} name @param {Span | undefined} span @param {Context} context @param {string} what */
-function unknownName(name, span, { scope }, what) {
-  const message = `Expected ${what}, got "${name}", which is not declared.`;
-  if (scope.hasGaps) scope.report('unknown-name', `${message} A file that is missing may do so.`, span, 'warning');
-  else scope.report('unknown-name', message, span);
 }
 
 /** @param {Index} node @param {Context} context @returns {Type} */
@@ -180,130 +164,9 @@ const holdsLogic = (node) =>
 
 /** @param {Call} node @param {Context} context @param {boolean} needsValue @returns {Type} */
 export function typeOfCall(node, context, needsValue) {
-  const upper = node.name.toUpperCase();
-  const symbol = context.locals.get(upper) ?? context.scope.globals.get(upper);
   const args = node.args.map((arg) => (isByName(arg) ? types.UNKNOWN : typeOfExpression(arg, context)));
-  /** @param {Type} type */
-  const given = (type) => {
-    if (needsValue && type.kind === 'NOTHING') {
-      if (symbol?.kind === 'routine' && isIncomplete(symbol, context.scope)) return types.UNKNOWN;
-      context.scope.report(
-        'no-value',
-        `Expected a function, got the routine "${node.name}", which gives no value.`,
-        node.span,
-      );
-      return types.UNKNOWN;
-    }
-    return type;
-  };
-  if (symbol?.kind === 'routine') {
-    context.symbolOf.set(node, symbol);
-    checkArguments(node, args, symbol, context);
-    return given(symbol.returns);
-  }
-  if (symbol) {
-    if (symbol.kind === 'variable') symbol.isUsed = true;
-    if (!types.isUnknown(symbol.type))
-      context.scope.report('not-a-routine', `Expected a routine, got the ${symbol.kind} "${node.name}".`, node.span);
-    return types.UNKNOWN;
-  }
-  const builtin = BUILTINS.get(upper);
-  if (builtin) return given(typeOfBuiltin(node, args, builtin, context));
-  for (const arg of node.args) markSet(arg, context);
-  if (!isKnownRoutine(upper)) unknownName(node.name, node.span, context, 'a routine');
-  return types.UNKNOWN;
+  return typeOfCallOf(node, args, context, needsValue);
 }
 
 /** @param {Expression} node */
 const isByName = (node) => node.kind === 'call' && node.name.toUpperCase() === 'BYNAME';
-
-/** Its head may stand in a file that is missing. @param {RoutineSymbol} routine @param {Scope} scope */
-export const isIncomplete = ({ parameters, returns, node }, { hasGaps }) =>
-  hasGaps && node !== undefined && parameters.length === 0 && returns.kind === 'NOTHING';
-
-/** @param {Call} node @param {Type[]} args @param {RoutineSymbol} routine @param {Context} context */
-function checkArguments(node, args, routine, context) {
-  const { name, parameters } = routine;
-  if (args.length !== parameters.length && !isIncomplete(routine, context.scope)) {
-    context.scope.report(
-      'arguments',
-      `Expected ${countText(parameters.length)} for "${name}", got ${args.length || 'none'}.`,
-      node.span,
-    );
-  }
-  for (const [i, arg] of node.args.entries()) {
-    markSet(arg, context);
-    const parameter = parameters[i];
-    if (parameter && !types.fits(args[i], parameter.type)) {
-      context.scope.report(
-        'argument-type',
-        `Expected ${types.typeText(parameter.type)} for "${parameter.name}" of "${name}", got ${types.typeText(args[i])}.`,
-        arg.span,
-      );
-    }
-  }
-}
-
-const countText = (/** @type {number} */ count) =>
-  count === 0 ? 'no arguments' : count === 1 ? '1 argument' : `${count} arguments`;
-
-/** @param {Call} node @param {Type[]} args @param {Builtin} builtin @param {Context} context @returns {Type} */
-function typeOfBuiltin(node, args, builtin, context) {
-  const { parameters, gives } = builtin;
-  const least = parameters.filter(({ isOptional }) => !isOptional).length;
-  if (args.length < least || args.length > parameters.length) {
-    context.scope.report('arguments', `Expected ${signatureText(builtin)}, got ${countText(args.length)}.`, node.span);
-  }
-  for (const [i, arg] of node.args.entries()) {
-    const parameter = parameters[i];
-    if (!parameter) continue;
-    if (parameter.isSet) {
-      markSet(arg, context);
-      if (!isDesignator(arg))
-        context.scope.report(
-          'argument',
-          `Expected a variable for "${parameter.name}" of ${builtin.name}, which is set, got a value.`,
-          arg.span,
-          'warning',
-        );
-    } else if (builtin.name === 'UNINIT' || parameter.type === 'H' || parameter.type === 'F') markSet(arg, context);
-    if (!isOfType(args[i], parameter.type)) {
-      context.scope.report(
-        'argument-type',
-        `Expected ${WORDS[parameter.type]} for "${parameter.name}" of ${builtin.name}, got ${types.typeText(args[i])}.`,
-        arg.span,
-      );
-    }
-  }
-  if (gives === '=') return types.isWhole(args[0] ?? types.UNKNOWN) ? types.INTEGER : (args[0] ?? types.UNKNOWN);
-  return gives === null ? types.NOTHING : (GIVEN[gives] ?? types.UNKNOWN);
-}
-
-/** @type {Readonly<Record<string, Type>>} */
-const GIVEN = {
-  ...{ I: types.INTEGER, R: types.REAL, S: types.STRING, B: types.BOOLEAN, V: types.VECTOR, C: types.CONFIG },
-  ...{ XYZWPR: types.XYZWPR, XYZWPREXT: types.XYZWPREXT, POSITION: types.POSITION, JOINTPOS: types.JOINTPOS },
-};
-
-/** @param {Type} type @param {string} letter */
-function isOfType(type, letter) {
-  if (types.isUnknown(type) || letter === 'X') return true;
-  if (letter === 'P') return types.isPosition(type);
-  if (letter === 'N' || letter === 'R') return types.isNumber(type);
-  if (letter === 'I') return types.isWhole(type);
-  return WORDS[letter] === type.kind;
-}
-
-/** @param {Expression} node @returns {node is Designator} */
-export const isDesignator = (node) =>
-  node.kind === 'name' || node.kind === 'system' || node.kind === 'index' || node.kind === 'field';
-
-/** A variable that is set, or handed to who may set it. @param {Expression} node @param {Context} context */
-export function markSet(node, context) {
-  let inner = node;
-  while (inner.kind === 'index' || inner.kind === 'field') inner = inner.target;
-  if (inner.kind !== 'name') return;
-  const upper = inner.name.toUpperCase();
-  const symbol = context.locals.get(upper) ?? context.scope.globals.get(upper);
-  if (symbol?.kind === 'variable') symbol.isSet = true;
-}

@@ -2,11 +2,13 @@
  * Statements, checked one by one.
  *
  * @import { Clause, Conditions, Designator, Expression, Item, MoveTarget, Statement } from '../tree.js'
- * @import { Context } from './expressions.js'
+ * @import { Context } from './context.js'
  * @import { Type } from './types.js'
  */
 import { PREDEFINED_FILES } from './constants.js';
-import { isDesignator, isIncomplete, markSet, typeOfCall, typeOfExpression } from './expressions.js';
+import { isIncomplete } from './calls.js';
+import { isDesignator, markSet } from './context.js';
+import { typeOfCall, typeOfExpression } from './expressions.js';
 import * as types from './types.js';
 
 /** @param {readonly Statement[]} body @param {Context} context */

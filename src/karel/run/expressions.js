@@ -6,18 +6,18 @@
  * @import { Compiler } from './compiler.js'
  * @import { Evaluate, Locate } from './machine.js'
  * @import { RoutineSymbol } from '../check/declarations.js'
- * @import { Reference, Value } from './values.js'
+ * @import { Reference } from './values.js'
  */
 import { isPort } from '../ports.js';
 import { PREDEFINED } from '../check/constants.js';
 import { BUILTINS } from '../check/builtins.js';
-import { isPosition, isWhole } from '../check/types.js';
-import { isDesignator } from '../check/expressions.js';
-import { RUN } from './builtins.js';
-import { HALT, pushFrame, SWITCH } from './machine.js';
+import { isDesignator } from '../check/context.js';
+import { isPosition, isWhole, UNKNOWN } from '../check/types.js';
+import { emitCallOf, isSetByBuiltin, runBuiltin } from './calls.js';
 import { compileBinary } from './operators.js';
+import { asRecord, elementAt, fieldAt, indexIn, portAt } from './places.js';
 import { axisOf, CONFIG_BITS } from './positions.js';
-import { Alarm, copied, list, number, numbers, record, truth, whole } from './values.js';
+import { Alarm, copied, list, number, numbers, truth, whole } from './values.js';
 
 /** @param {Expression} node @param {Compiler} compiler @returns {Evaluate} */
 export function compileExpression(node, compiler) {
@@ -125,14 +125,6 @@ function compileReading(node, compiler) {
   };
 }
 
-/** @param {number} index from 1 @param {number} length */
-function indexIn(index, length) {
-  if (index >= 1 && index <= length) return index - 1;
-  throw new Alarm(`the index ${index} is not from 1 to ${length}`, 'index');
-}
-
-const XYZ = ['X', 'Y', 'Z', 'W', 'P', 'R', 'CONFIG_DATA', 'EXT1', 'EXT2', 'EXT3'];
-
 /** Where a variable is. @param {Designator | Call} node @param {Compiler} compiler @returns {Locate} */
 export function compileReference(node, compiler) {
   switch (node.kind) {
@@ -161,66 +153,17 @@ export function compileReference(node, compiler) {
     case 'index':
       return compileElement(node, compiler);
     case 'field':
-      return compileField(node, compiler);
+      return fieldAt(compileReference(node.target, compiler), compiler.typeOf(node.target), node.name);
   }
 }
-
-const asRecord = (/** @type {Value[]} */ values) =>
-  /** @type {Record<number, Value>} */ (/** @type {unknown} */ (values));
 
 /** @param {Extract<Designator, { kind: 'index' }>} node @param {Compiler} compiler @returns {Locate} */
 function compileElement(node, compiler) {
   const { target, indices } = node;
   const places = indices.map((index) => compileExpression(index, compiler));
-  if (isPort(node) && target.kind === 'name') {
-    const port = target.name.toUpperCase();
-    return (m, f) => ({ holder: (m.state.ports[port] ??= {}), key: number(places[0](m, f)) });
-  }
-  const isPath = target.kind !== 'call' && compiler.typeOf(target).kind === 'PATH';
-  const isSystem = compiler.typeOf(target).kind === 'UNKNOWN';
-  const at = compileReference(target, compiler);
-  return (m, f) => {
-    let { holder, key } = at(m, f);
-    for (const place of places) {
-      const index = number(place(m, f));
-      if (isSystem) {
-        key = `${key}[${index}]`;
-        continue;
-      }
-      const values = list(isPath ? record(holder[key]).nodes : holder[key]);
-      holder = asRecord(values);
-      key = indexIn(index, values.length);
-    }
-    return { holder, key };
-  };
-}
-
-/** @param {Extract<Designator, { kind: 'field' }>} node @param {Compiler} compiler @returns {Locate} */
-function compileField({ target, name }, compiler) {
-  const type = compiler.typeOf(target);
-  const upper = name.toUpperCase();
-  const at = compileReference(target, compiler);
-  if (type.kind === 'UNKNOWN') {
-    return (m, f) => {
-      const { holder, key } = at(m, f);
-      return { holder, key: `${key}.${upper}` };
-    };
-  }
-  if (type.kind === 'VECTOR' || isPosition(type)) {
-    const slot = XYZ.indexOf(upper);
-    const size = type.kind === 'VECTOR' ? 3 : 10;
-    return (m, f) => {
-      const { holder, key } = at(m, f);
-      holder[key] ??= Array.from({ length: size }, (_, i) => (i >= 6 ? 0 : undefined));
-      return { holder: asRecord(list(holder[key])), key: slot };
-    };
-  }
-  if (type.kind === 'PATH')
-    return (m, f) => ({ holder: record(record(at(m, f).holder[at(m, f).key]).header), key: upper });
-  return (m, f) => {
-    const { holder, key } = at(m, f);
-    return { holder: record(holder[key]), key: upper };
-  };
+  if (isPort(node) && target.kind === 'name') return portAt(target.name.toUpperCase(), places[0]);
+  const { kind } = target.kind === 'call' ? UNKNOWN : compiler.typeOf(target);
+  return elementAt(compileReference(target, compiler), places, kind);
 }
 
 /** @param {Call} node @param {Compiler} compiler @returns {Evaluate} */
@@ -236,54 +179,22 @@ export function compileCall(node, compiler) {
 
 /** @param {Call} node @param {Compiler} compiler @returns {Evaluate} */
 function callBuiltin(node, compiler) {
-  const upper = node.name.toUpperCase();
-  const known = BUILTINS.get(upper);
-  const run = Object.hasOwn(RUN, upper) ? RUN[upper] : null;
-  const args = node.args.map((arg, i) => {
-    const parameter = known?.parameters[i];
-    const isSet = parameter?.isSet || upper === 'UNINIT' || parameter?.type === 'H' || parameter?.type === 'F';
-    return isSet && isDesignator(arg) ? compileReference(arg, compiler) : compileExpression(arg, compiler);
-  });
-  if (!run) {
-    return () => {
-      throw new Alarm(`"${node.name}" is not built in here`, 'unknown-routine');
-    };
-  }
-  const values = /** @type {(Evaluate | Locate)[]} */ (args);
-  return (m, f) =>
-    run(
-      values.map((value) => value(m, f)),
-      m,
-    );
+  const args = node.args.map((arg, i) =>
+    isSetByBuiltin(node.name, i) && isDesignator(arg)
+      ? compileReference(arg, compiler)
+      : compileExpression(arg, compiler),
+  );
+  return runBuiltin(node.name, args);
 }
 
 /** @param {Call} node @param {RoutineSymbol} symbol @param {number} result  the slot of the value @param {Compiler} compiler */
 export function emitCall(node, symbol, result, compiler) {
-  const { analysis, linker } = compiler;
-  const args = node.args.map((arg, i) => compileArgument(arg, symbol, i, compiler));
-  const program = symbol.from ?? analysis.scope.program;
-  if (symbol.from) linker.programNamed(symbol.from);
-  const key = `${program.toUpperCase()}.${symbol.name.toUpperCase()}`;
-  const { entries } = linker.image;
-  const line = compiler.line;
-  const next = compiler.here() + 1;
-  compiler.emit((machine, frame) => {
-    const target = entries[key];
-    const values = args.map((arg) => arg(machine, frame));
-    frame.pc = next;
-    if (target === undefined) {
-      // A TP program, or one that nobody has here.
-      machine.effect = {
-        kind: 'call',
-        program: (symbol.from ?? symbol.name).toUpperCase(),
-        args: values.map(({ holder, key: at }) => copied(holder[at])),
-        line,
-      };
-      return HALT;
-    }
-    pushFrame(machine, machine.state.tasks[machine.state.current], target, values, result);
-    return SWITCH;
-  });
+  emitCallOf(
+    symbol,
+    node.args.map((arg, i) => compileArgument(arg, symbol, i, compiler)),
+    result,
+    compiler,
+  );
 }
 
 /** A variable of the parameter's type goes by reference, everything else by value. @param {Expression} arg @param {RoutineSymbol} symbol @param {number} i @param {Compiler} compiler @returns {Locate} */

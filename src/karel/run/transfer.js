@@ -6,7 +6,7 @@
  * @import { Frame, Locate, Machine } from './machine.js'
  */
 import { PREDEFINED_FILES } from '../check/constants.js';
-import { isDesignator } from '../check/expressions.js';
+import { isDesignator } from '../check/context.js';
 import { compileExpression, compileReference } from './expressions.js';
 import { writtenText } from './format.js';
 import { HALT } from './machine.js';

@@ -1,36 +1,20 @@
 /**
- * The worker that plans motion programs; started when it is first needed. A question that was overtaken by another, or is not
- * wanted any more, is given up with the worker that is busy on it.
+ * The worker that plans motion programs.
  *
  * @import { PlanMotionAnswer, PlanMotionQuestion } from '../../workers/planMotion.js'
  *
  * @typedef {Extract<PlanMotionAnswer, { plan: unknown }>['plan']} MotionPlan
  */
+import { createLastQuestion } from '../parts/lastQuestion.js';
+
+const start = () => new Worker(new URL('../../workers/planMotion.js', import.meta.url), { type: 'module' });
+
+/** @param {PlanMotionAnswer} answer */
+const isLast = (answer) => !('planned' in answer);
 
 /** @param {(error: unknown) => void} onError */
 export function createPlanApart(onError) {
-  /** @type {Worker | null} */
-  let worker = null;
-  let isBusy = false;
-  let latest = 0;
-
-  function start() {
-    const made = new Worker(new URL('../../workers/planMotion.js', import.meta.url), { type: 'module' });
-    made.onerror = (event) => {
-      isBusy = false;
-      onError(new Error(event.message));
-    };
-    return made;
-  }
-
-  function cancel() {
-    latest++;
-    if (!isBusy) return;
-    worker?.terminate();
-    worker = null;
-    isBusy = false;
-  }
-
+  const apart = createLastQuestion(start, onError, isLast);
   return {
     /**
      * @param {Omit<PlanMotionQuestion, 'id'>} question
@@ -38,20 +22,12 @@ export function createPlanApart(onError) {
      * @param {(plan: MotionPlan) => void} onPlan
      */
     ask(question, onProgress, onPlan) {
-      cancel();
-      worker ??= start();
-      isBusy = true;
-      const id = latest;
-      worker.onmessage = ({ data }) => {
-        const answer = /** @type {PlanMotionAnswer} */ (data);
-        if (answer.id !== latest) return;
-        if ('planned' in answer) return onProgress(answer.planned / question.moves.length);
-        isBusy = false;
-        if ('plan' in answer) onPlan(answer.plan);
+      apart.ask(question, (answer) => {
+        if ('planned' in answer) onProgress(answer.planned / question.moves.length);
+        else if ('plan' in answer) onPlan(answer.plan);
         else onError(new Error(answer.fault));
-      };
-      worker.postMessage({ id, ...question });
+      });
     },
-    cancel,
+    cancel: apart.cancel,
   };
 }

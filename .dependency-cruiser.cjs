@@ -6,10 +6,11 @@
 const MAY_IMPORT = {
   kinematics: { folders: [], packages: [] },
   motion: { folders: ['kinematics'], packages: [] },
+  workspace: { folders: ['kinematics'], packages: [] },
   karel: { folders: ['kinematics'], packages: [] },
   model: { folders: ['kinematics', 'motion', 'karel'], packages: [] },
   io: { folders: ['model', 'karel', 'kinematics'], packages: ['@rgrove/parse-xml', 'fflate'] },
-  workers: { folders: ['kinematics', 'motion'], packages: [] },
+  workers: { folders: ['kinematics', 'motion', 'workspace'], packages: [] },
   render: { folders: ['model', 'kinematics'], packages: ['three', '@types/three'] },
   ui: {
     folders: ['model', 'io', 'karel', 'workers'],

@@ -62,6 +62,12 @@ const REFUSED = [
     'motion-folders',
   ],
   [
+    'motion in workspace',
+    'src/workspace/a6.js',
+    "import { a } from '../motion/a6.js'; export const b = a;",
+    'workspace-folders',
+  ],
+  [
     'model in karel',
     'src/karel/a7.js',
     "import { doc } from '../model/document.js'; export const a = doc;",
@@ -166,6 +172,11 @@ const ALLOWED = [
     'model takes kinematics and karel',
     'src/model/d2.js',
     "import { chain } from '../kinematics/chain.js'; import { print } from '../karel/printer.js'; export const a = [chain, print];",
+  ],
+  [
+    'workers take workspaces and motion',
+    'src/workers/d2.js',
+    "import { a } from '../workspace/a6.js'; import { pose } from '../kinematics/pose.js'; export const b = [a, pose];",
   ],
   [
     'io parses XML into documents',

@@ -87,6 +87,8 @@ export function followPath(chain, way, begin, options = {}) {
   const keepsTurn = solver.task === 'pose';
   /** blocked: a share that was not got to, though the pieces before it may be. */
   let [share, piece, blocked] = [from, FIRST_PIECE, Infinity];
+  /** Of the determinant since the beginning: the branch. A singular posture itself has none, and more than one beyond it. */
+  let sign = Math.sign(here.determinant);
 
   while (share < to) {
     const next = share + piece > to - LEAST_PIECE ? to : share + piece;
@@ -99,7 +101,7 @@ export function followPath(chain, way, begin, options = {}) {
     /** Of the promise, what the piece may take up; more than 1 where it breaks it. */
     let over = Infinity;
     let [past, isSolved] = [-1, solver.solve(next, near, there)];
-    if (isSolved && here.determinant * there.determinant < 0) isSolved = false; // through a singularity
+    if (isSolved && sign * there.determinant < 0) isSolved = false; // through a singularity
     if (isSolved) {
       writeHermite(here, there, width, own);
       bound.write(own, here.J, way, share, next, off);
@@ -113,6 +115,7 @@ export function followPath(chain, way, begin, options = {}) {
       worst.position = Math.max(worst.position, off.position);
       worst.turn = Math.max(worst.turn, off.turn);
       [here, there] = [there, here];
+      sign ||= Math.sign(here.determinant);
       share = next;
       if (share >= blocked) blocked = Infinity;
       piece = Math.min(

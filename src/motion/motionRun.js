@@ -22,9 +22,10 @@
  * @property {PlanLaw} timing  by which law it is timed: the move's, unless it goes on into another, or comes out of one
  * @property {Slowed[]} slowed   where it is slower than that, from share to share of the way, and because of which joint
  */
+import { keepLaw } from './keepLaw.js';
 import { joined, measuredBy } from './posturePath.js';
 import { restLaw } from './restLaw.js';
-import { keepLaw, quickestLaw } from './timePath.js';
+import { quickestLaw } from './timePath.js';
 import { timeLaw } from './timeLaw.js';
 
 /** Parts of the way that are shorter than this share of a move are rounding. */

@@ -90,3 +90,25 @@ export const stretched = ({ from, to, pieces }, factor) =>
       coefficients: coefficients.map((c, k) => c / factor ** k),
     })),
   );
+
+/**
+ * What of a law is between two moments, as parts of another.
+ * @param {TimeLaw} law
+ * @param {number} from   s
+ * @param {number} to
+ */
+export const between = ({ pieces }, from, to) =>
+  pieces
+    .filter(({ start, duration }) => start < to && start + duration > from)
+    .map(({ start, duration, coefficients }) => {
+      const begin = Math.max(0, from - start);
+      return { duration: Math.min(duration, to - start) - begin, coefficients: shifted(coefficients, begin) };
+    });
+
+/** The same polynomial by the time since `x`. @param {readonly number[]} coefficients @param {number} x */
+function shifted(coefficients, x) {
+  const c = [...coefficients];
+  // by Horner's scheme again and again, each time without the last remainder
+  for (let done = 0; done < c.length - 1; done++) for (let k = c.length - 2; k >= done; k--) c[k] += x * c[k + 1];
+  return c;
+}

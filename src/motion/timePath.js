@@ -1,6 +1,6 @@
 /**
- * When the arm is where along a path: a law where the joints can follow it, and where they cannot as fast as they can. That
- * is looked for over a grid (phasePlane.js), looked at between its points, and the grid made finer where a limit is passed.
+ * How quickly the arm can go along a path: the rate of the way is looked for over a grid (phasePlane.js), looked at between its
+ * points, and the grid made finer where a limit is passed.
  *
  * @import { Plane } from './phasePlane.js'
  * @import { PosturePath } from './posturePath.js'
@@ -19,48 +19,24 @@
  *
  * @typedef {{ rates: ArrayLike<number>, accelerations: ArrayLike<number> }} Limits
  */
-import { createSpan, writeSpan } from './hermite.js';
 import { quickestProfile } from './phasePlane.js';
-import { TERMS, pathMoment, pathMomentAt } from './posturePath.js';
-import { momentAt, stretched, timeLaw } from './timeLaw.js';
+import { pathMoment, pathMomentAt } from './posturePath.js';
+import { stretched, timeLaw } from './timeLaw.js';
 
 /**
  * Between the points of the grid a rate may pass its limit by this share of it, and an acceleration by twice that; else the
  * grid is made finer, so many times at most.
  */
-const OVER = 2e-4;
+export const OVER = 2e-4;
 const FINER = 5;
 
 /** Intervals of the grid: about so many over the whole time, and in each piece of the path. */
-const IN_TIME = 160;
+export const IN_TIME = 160;
 const MOST_IN_TIME = 2000;
 const IN_PIECE = 8;
 
 /** A rate that is less than the law's by this share of it is slower. */
 const SLOWER = 1e-3;
-
-/** Samples in each stretch of a law between two of its pieces' or the path's ends. */
-const SAMPLES = 8;
-
-const HALVINGS = 50;
-
-/**
- * The law, or what the joints allow of it.
- * @param {PosturePath} path
- * @param {TimeLaw} law     from 0 to the path's end
- * @param {Limits} limits
- * @param {number} acceleration   what the law's is at most
- * @returns {{ law: TimeLaw, slowed: Slowed[] }}
- */
-export function keepLaw(path, law, limits, acceleration) {
-  if (law.duration === 0 || isGentle(path, limits, acceleration) || mostUse(path, law, limits) <= 1 + OVER) {
-    return { law, slowed: [] };
-  }
-  const end = path.knots[path.knots.length - 1];
-  const ceiling = (/** @type {number} */ s) => momentAt(law, timeAt(law, s)).rate;
-  const inTime = Array.from({ length: IN_TIME + 1 }, (_, k) => momentAt(law, (law.duration * k) / IN_TIME).position);
-  return alongGrid(path, limits, [{ to: end, acceleration, share: 1, ceiling: Infinity }], ceiling, inTime);
-}
 
 /**
  * As quick as limits allow.
@@ -76,7 +52,8 @@ export function quickestLaw(path, limits, sections) {
   // evenly, and denser at both ends, where it starts and stops
   const shares = Array.from({ length: count + 1 }, (_, k) => [k / count, (1 - Math.cos((Math.PI * k) / count)) / 2]);
   const points = shares.flat().map((share) => begin + share * (end - begin));
-  return alongGrid(path, limits, sections, null, points);
+  const { law, slowed } = alongGrid(path, limits, sections, null, points);
+  return { law, slowed };
 }
 
 /**
@@ -85,9 +62,10 @@ export function quickestLaw(path, limits, sections) {
  * @param {readonly Section[]} sections
  * @param {((s: number) => number) | null} lawRate   what the rate of the way is at most besides, and with what `slowed` compares
  * @param {readonly number[]} points
- * @returns {{ law: TimeLaw, slowed: Slowed[] }}
+ * @returns {{ law: TimeLaw, slowed: Slowed[], grid: Float64Array, x: Float64Array, over: number }}   x: squares of the rate at
+ *   the points of the grid; over: by how much the whole had to be stretched in the end; 1 for not at all
  */
-function alongGrid(path, limits, sections, lawRate, points) {
+export function alongGrid(path, limits, sections, lawRate, points) {
   const { dof, knots } = path;
   const inPieces = [...knots].flatMap((knot, k) =>
     k + 1 < knots.length
@@ -130,12 +108,11 @@ function alongGrid(path, limits, sections, lawRate, points) {
       grid = ascending([...grid, ...split], knots);
       continue;
     }
-    const over = uses.reduce((most, { use }) => Math.max(most, use), 1);
-    const law = lawOf(grid, x);
-    return {
-      law: over > 1 + OVER ? stretched(law, over) : law,
-      slowed: slowedOf(plane, lawRate ? plane.ceiling : withoutJoints(plane), x, uses),
-    };
+    const most = uses.reduce((found, { use }) => Math.max(found, use), 1);
+    const over = most > 1 + OVER ? most : 1;
+    const law = timeLaw(grid[0], grid[grid.length - 1], partsOf(grid, x));
+    const slowed = slowedOf(plane, lawRate ? plane.ceiling : withoutJoints(plane), x, uses);
+    return { law: over > 1 ? stretched(law, over) : law, slowed, grid, x, over };
   }
 }
 
@@ -172,18 +149,14 @@ function usesBetween(path, { grid, dof, rates, accelerations, shares }, x) {
   });
 }
 
-/** @param {Float64Array} grid @param {Float64Array} x  at each point @returns {TimeLaw} */
-function lawOf(grid, x) {
-  const last = grid.length - 1;
-  const parts = [];
-  for (let i = 0; i < last; i++) {
+/** One part an interval, at a constant acceleration. @param {Float64Array} grid @param {Float64Array} x  at each point */
+export const partsOf = (grid, x) =>
+  Array.from({ length: grid.length - 1 }, (_, i) => {
     const width = grid[i + 1] - grid[i];
     const [before, after] = [Math.sqrt(x[i]), Math.sqrt(x[i + 1])];
     const u = (x[i + 1] - x[i]) / (2 * width);
-    parts.push({ duration: (2 * width) / (before + after), coefficients: [grid[i], before, u / 2] });
-  }
-  return timeLaw(grid[0], grid[last], parts);
-}
+    return { duration: (2 * width) / (before + after), coefficients: [grid[i], before, u / 2] };
+  });
 
 /** Stretches of the way where it is slower than the law. @param {Plane} plane @param {Float64Array} wanted  squares, as x @param {Float64Array} x @param {ReturnType<typeof usesBetween>} uses @returns {Slowed[]} */
 function slowedOf({ grid }, wanted, x, uses) {
@@ -207,54 +180,3 @@ function slowedOf({ grid }, wanted, x, uses) {
 /** How quick it would be if no joint had limits. @param {Plane} plane */
 const withoutJoints = (plane) =>
   quickestProfile({ ...plane, dof: 0, first: new Float64Array(0), second: new Float64Array(0) });
-
-const span = createSpan();
-
-/** Whether bounds tell at once that no limit is near. @param {PosturePath} path @param {Limits} limits @param {number} acceleration */
-function isGentle({ dof, knots, coefficients }, { rates, accelerations }, acceleration) {
-  for (let k = 0, at = 0; k < knots.length - 1; k++) {
-    const width = knots[k + 1] - knots[k];
-    for (let i = 0; i < dof; i++, at += TERMS) {
-      writeSpan(coefficients, at, span);
-      const [first, second] = [span.derivatives[1] / width, span.derivatives[2] / width ** 2];
-      if (first > rates[i] || second + first * acceleration > accelerations[i]) return false;
-    }
-  }
-  return true;
-}
-
-/** What of the limits the law uses at most. @param {PosturePath} path @param {TimeLaw} law @param {Limits} limits */
-function mostUse(path, law, { rates, accelerations }) {
-  const now = pathMoment(path.dof);
-  const ends = [
-    ...law.pieces.map(({ start }) => start),
-    law.duration,
-    ...Array.from(path.knots, (s) => timeAt(law, s)),
-  ];
-  ends.sort((a, b) => a - b);
-  let most = 0;
-  for (let k = 0; k < ends.length - 1; k++) {
-    for (let j = 0; j <= SAMPLES; j++) {
-      // a hair inside, since accelerations may jump at the ends
-      const at = Math.min(1 - 1e-6, Math.max(1e-6, j / SAMPLES));
-      const { position, rate, acceleration } = momentAt(law, ends[k] + at * (ends[k + 1] - ends[k]));
-      pathMomentAt(path, position, now);
-      for (let i = 0; i < path.dof; i++) {
-        const use = Math.abs(now.second[i] * rate * rate + now.first[i] * acceleration) / accelerations[i];
-        most = Math.max(most, use, (Math.abs(now.first[i]) * rate) / rates[i]);
-      }
-    }
-  }
-  return most;
-}
-
-/** When a law is at a place, by halving: it never goes back. @param {TimeLaw} law @param {number} s */
-function timeAt(law, s) {
-  let [low, high] = [0, law.duration];
-  for (let k = 0; k < HALVINGS && low < high; k++) {
-    const middle = (low + high) / 2;
-    if (momentAt(law, middle).position < s) low = middle;
-    else high = middle;
-  }
-  return (low + high) / 2;
-}

@@ -3,7 +3,8 @@
  * happen, and goes on when it is asked to. Everything that it knows is one plain state, which can be copied and put back.
  *
  * Effects: `write` { device, text }, `read` (put lines into `machine.state.input`, then go on), `wait` { milliseconds } (time
- * passed: inputs may change), `move`, `call` { program, args } of what is no KAREL here (TP), `run-task`, `error` (POST_ERR),
+ * passed: inputs may change), `move`, `call` { program, args } of what is no KAREL here (TP), `run-task`, `error` (POST_ERR), `alarm` { task } of a task that is
+ * not the program's own,
  * `motion-control`, `hand`, `pause`, `step` { line } where they are wanted. The generator's value says how it ended:
  * `ended`, `aborted`, `alarm` with line and reason, `budget`, or `refused` with what the checker has against the program.
  *
@@ -11,14 +12,18 @@
  * @import { Diagnostic } from './parse/cursor.js'
  * @import { Effect, Host, Machine, State } from './run/machine.js'
  *
+ * @typedef {{ code: string, reason: string, line: number, routine: string }} AlarmText
+ * @typedef {Effect & { alarm: AlarmText }} AlarmEffect
  * @typedef {object} Outcome
  * @property {'ended' | 'aborted' | 'alarm' | 'budget' | 'refused'} status
  * @property {State} state
- * @property {{ code: string, reason: string, line: number, routine: string }} [alarm]
+ * @property {AlarmText} [alarm]  of the program itself; that of another task is an effect
  * @property {Diagnostic[]} [diagnostics]
  */
-import { Alarm, copiedState, unsetValue } from './run/values.js';
+import { Alarm, copiedState } from './run/values.js';
 import { link } from './run/link.js';
+import { firstGlobals } from './run/programs.js';
+import { newTask, nextTask } from './run/tasks.js';
 import { currentLine, DEFAULT_STEPS, passTime, pushFrame, runSlice, SCAN, scanHandlers } from './run/machine.js';
 
 /** @param {Program | Fragment} tree @param {Host} [host] @returns {Generator<Effect, Outcome, unknown>} */
@@ -34,28 +39,24 @@ export function createMachine(tree, host = {}) {
     tree.kind === 'program'
       ? tree
       : { kind: /** @type {const} */ ('program'), comments: [], name: 'fragment', declarations: [], body: [] };
-  const { image, analyses } = link(program, host);
+  const linker = link(program, host);
+  const { image } = linker;
   /** @type {State} */
   const state = {
     ...{ time: 0, steps: 0, nextScan: SCAN, current: 0 },
-    globals: analyses.map(({ scope }) => {
-      const values = new Array(scope.globalSlots);
-      for (const symbol of scope.globals.values())
-        if (symbol.kind === 'variable') values[symbol.slot] = unsetValue(symbol.type);
-      return values;
-    }),
-    tasks: [{ name: program.name.toUpperCase(), frames: [], wake: 0, status: 'running' }],
+    globals: linker.analyses.map((analysis) => firstGlobals(analysis, host)),
+    tasks: [newTask(program.name.toUpperCase())],
     ...{ handlers: [], ports: {}, registers: {}, positionRegisters: {}, stringRegisters: {} },
     files: Object.fromEntries(Object.entries(host.files ?? {}).map(([name, text]) => [name.toUpperCase(), text])),
     input: [...(host.input ?? [])],
     ...{ semaphores: {}, system: {}, timers: [], pulses: [] },
   };
   /** @type {Machine} */
-  const machine = { image, state, host, effect: null, globals: state.globals[0] };
+  const machine = { image, linker, state, host, effect: null, globals: state.globals[0] };
   pushFrame(machine, state.tasks[0], 0, [], -1);
   return {
     machine,
-    errors: analyses.flatMap(({ diagnostics }) => diagnostics.filter(({ severity }) => severity === 'error')),
+    errors: linker.analyses.flatMap(({ diagnostics }) => diagnostics.filter(({ severity }) => severity === 'error')),
   };
 }
 
@@ -70,44 +71,53 @@ export function restoreState(machine, state) {
 
 /** From where the machine is. @param {Machine} machine @returns {Generator<Effect, Outcome, unknown>} */
 export function* runMachine(machine) {
-  const { host } = machine;
-  const most = host.steps ?? DEFAULT_STEPS;
-  try {
-    while (true) {
-      const { state } = machine;
-      if (state.steps >= most) return { status: 'budget', state };
-      const task = state.tasks[state.current];
-      if (task.wake > state.time) {
-        const milliseconds = Math.min(task.wake, state.nextScan) - state.time;
-        if (milliseconds > 0) state.time += milliseconds;
-        state.steps++;
-        yield { kind: 'wait', milliseconds, line: currentLine(machine) };
-      } else {
-        const how = runSlice(machine, most - state.steps);
-        const effect = takeEffect(machine);
-        if (how === 'over') return { status: effect?.kind === 'abort' ? 'aborted' : 'ended', state: machine.state };
-        if (effect) yield effect;
-      }
-      scan(machine);
-    }
-  } catch (alarm) {
-    if (!(alarm instanceof Alarm)) throw alarm;
-    const { state, image } = machine;
-    const frame = state.tasks[state.current].frames.at(-1);
-    const routine = frame ? image.codes[frame.code].name : '';
-    return {
-      status: 'alarm',
-      state,
-      alarm: { code: alarm.code, reason: alarm.message, line: currentLine(machine), routine },
-    };
+  const most = machine.host.steps ?? DEFAULT_STEPS;
+  while (true) {
+    scan(machine);
+    const { state } = machine;
+    if (state.steps >= most) return { status: 'budget', state };
+    const turn = nextTask(state);
+    if (turn >= 0) {
+      state.current = turn;
+      const effect = runTurn(machine, most - state.steps);
+      if (effect?.kind === 'alarm' && turn === 0)
+        return { status: 'alarm', state: machine.state, alarm: /** @type {AlarmEffect} */ (effect).alarm };
+      if (effect) yield effect;
+    } else if (state.tasks.some(({ status }) => status === 'running')) yield waitForAll(machine);
+    else return { status: state.tasks[0].isAborted ? 'aborted' : 'ended', state };
   }
 }
 
-/** @param {Machine} machine */
-function takeEffect(machine) {
-  const { effect } = machine;
-  machine.effect = null;
-  return effect;
+/** One turn of the current task. @param {Machine} machine @param {number} most  instructions @returns {Effect | null} */
+function runTurn(machine, most) {
+  const task = machine.state.tasks[machine.state.current];
+  try {
+    const isOver = runSlice(machine, most) === 'over';
+    const { effect } = machine;
+    machine.effect = null;
+    if (!isOver) return effect;
+    task.status = 'ended';
+    task.isAborted = effect?.kind === 'abort';
+    return null;
+  } catch (alarm) {
+    if (!(alarm instanceof Alarm)) throw alarm;
+    task.status = 'ended';
+    task.isAborted = true;
+    const frame = task.frames.at(-1);
+    const routine = frame ? machine.image.codes[frame.code].name : '';
+    const line = currentLine(machine);
+    return { kind: 'alarm', task: task.name, line, alarm: { code: alarm.code, reason: alarm.message, line, routine } };
+  }
+}
+
+/** Time goes on to where the first task may go on, or the conditions are looked at. @param {Machine} machine @returns {Effect} */
+function waitForAll(machine) {
+  const { state } = machine;
+  const wakes = state.tasks.flatMap(({ status, wake }) => (status === 'running' ? [wake] : []));
+  const milliseconds = Math.min(...wakes, state.nextScan) - state.time;
+  if (milliseconds > 0) state.time += milliseconds;
+  state.steps++;
+  return { kind: 'wait', milliseconds, line: currentLine(machine) };
 }
 
 /** @param {Machine} machine */

@@ -5,6 +5,8 @@
  */
 import { CONTROLLER } from './builtinsController.js';
 import { MATHEMATICS } from './builtinsMath.js';
+import { TASKS } from './tasks.js';
+import { VARIABLES_BY_NAME } from './variablesByName.js';
 
 /** @type {Readonly<Record<string, Builtin>>} */
-export const RUN = { ...MATHEMATICS, ...CONTROLLER };
+export const RUN = { ...MATHEMATICS, ...CONTROLLER, ...TASKS, ...VARIABLES_BY_NAME };

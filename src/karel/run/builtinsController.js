@@ -95,7 +95,6 @@ export const CONTROLLER = {
     put(status, port ? 0 : 1);
   },
 
-  CURR_PROG: (_, { state }) => state.tasks[state.current].name,
   IN_RANGE: () => true,
   J_IN_RANGE: ([joints], { host }) => host.inRange?.(numbers(joints)) ?? true,
   CURJPOS: (_, { host }) => [...(host.joints?.() ?? [0, 0, 0, 0, 0, 0])],

@@ -10,7 +10,7 @@
  */
 import { analyse } from '../check/analysis.js';
 import { createCompiler } from './compiler.js';
-import { OVER, returnNothing } from './machine.js';
+import { returnNothing } from './machine.js';
 import { compileBody } from './statements.js';
 import { Alarm, unsetValue } from './values.js';
 
@@ -63,7 +63,7 @@ function addProgram(tree, linker) {
     compileBody(body, compiler);
     const needsValue = compiler.routine && compiler.routine.returns.kind !== 'NOTHING';
     compiler.line = 0;
-    compiler.emit(needsValue ? missingReturn : compiler.routine ? returnNothing : () => OVER);
+    compiler.emit(needsValue ? missingReturn : returnNothing);
     code.slots = Math.max(code.slots, compiler.slots());
   }
   return index;

@@ -3,6 +3,7 @@
  * statements take a little, DELAY and waiting take what they say; nothing here knows of a clock.
  *
  * @import { Program } from '../tree.js'
+ * @import { Analysis } from '../check/analysis.js'
  * @import { Reference, Value } from './values.js'
  *
  * @typedef {(machine: Machine, frame: Frame) => number} Instruction  gives the next program counter, or one of the marks below
@@ -15,7 +16,7 @@
  * @property {((machine: Machine) => Value)[]} initial  by slot: what a local holds at first
  *
  * @typedef {{ code: number, pc: number, locals: Value[], result: number }} Frame  result: where in the caller's locals
- * @typedef {{ name: string, frames: Frame[], wake: number, status: 'running' | 'paused' | 'ended' }} Task
+ * @typedef {{ name: string, frames: Frame[], wake: number, status: 'running' | 'paused' | 'ended', isAborted?: boolean }} Task
  * @typedef {{ number: number, task: number, handler: number, isEnabled: boolean, before: boolean[][] }} Handler
  *
  * @typedef {object} State
@@ -49,6 +50,7 @@
  *
  * @typedef {object} Machine
  * @property {Image} image
+ * @property {{ analyses: readonly Analysis[], programNamed: (name: string) => number }} linker  programs as they are asked for
  * @property {State} state
  * @property {Host} host
  * @property {Effect | null} effect     set by an instruction that has one
@@ -57,6 +59,7 @@
  * @typedef {object} Host
  * @property {Readonly<Record<string, Program>>} [programs]  other KAREL programs by name
  * @property {Readonly<Record<string, string>>} [sources]     for %INCLUDE
+ * @property {Readonly<Record<string, Readonly<Record<string, Value>>>>} [variables]  what they hold at first, by program and name
  * @property {Readonly<Record<string, string>>} [files]       what is on the device at the start
  * @property {readonly string[]} [input]                      lines for READ
  * @property {number} [steps]                                 so many instructions at most; 10 million if nothing is said

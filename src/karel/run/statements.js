@@ -8,9 +8,10 @@ import { compileAssignment } from './assignment.js';
 import { emitEffect, emitPlain } from './emit.js';
 import { compileCall, emitCall, compileExpression, compileReference } from './expressions.js';
 import { compileConditions, compileHandler } from './handlers.js';
-import { HALT, OVER, SCAN, scanHandlers, SWITCH } from './machine.js';
+import { HALT, OVER, pushFrame, SCAN, scanHandlers, SWITCH } from './machine.js';
 import { compileMove } from './motion.js';
-import { compileDelay, compilePulse } from './time.js';
+import { linkedProgram } from './programs.js';
+import { compileDelay, compilePend, compilePulse } from './time.js';
 import { compileFileStatement, compileTransfer } from './transfer.js';
 import { Alarm, copied, number, single, text, truth, whole } from './values.js';
 
@@ -266,14 +267,8 @@ function compileCallStatement(statement, compiler) {
   const symbol = compiler.routineNamed(statement.name);
   if (symbol) return emitCall(statement, symbol, -1, compiler);
   const upper = statement.name.toUpperCase();
-  if (upper === 'CALL_PROG' || upper === 'RUN_TASK') {
-    const name = compileExpression(statement.args[0], compiler);
-    return emitEffect(compiler, (machine, frame) => ({
-      kind: upper === 'RUN_TASK' ? 'run-task' : 'call',
-      program: text(name(machine, frame)).toUpperCase(),
-      args: [],
-    }));
-  }
+  if (upper === 'CALL_PROG') return compileCallProgram(statement.args[0], compiler);
+  if (upper === 'PEND_SEMA') return compilePend(statement.args, compiler);
   const run = compileCall(statement, compiler);
   const { line } = compiler;
   const next = compiler.here() + 1;
@@ -283,5 +278,23 @@ function compileCallStatement(statement, compiler) {
     machine.effect.line = line;
     frame.pc = next;
     return HALT;
+  });
+}
+
+/** CALL_PROG: a program by its name as text, in this task. @param {Expression} program @param {Compiler} compiler */
+function compileCallProgram(program, compiler) {
+  const name = compileExpression(program, compiler);
+  const { line } = compiler;
+  const next = compiler.here() + 1;
+  compiler.emit((machine, frame) => {
+    const called = text(name(machine, frame)).toUpperCase();
+    frame.pc = next;
+    if (linkedProgram(machine, called) < 0) {
+      machine.effect = { kind: 'call', program: called, args: [], line };
+      return HALT;
+    }
+    const { state, image } = machine;
+    pushFrame(machine, state.tasks[state.current], image.entries[`${called}.`], [], -1);
+    return SWITCH;
   });
 }

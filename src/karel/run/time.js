@@ -1,13 +1,14 @@
 /**
- * DELAY and PULSE.
+ * DELAY, PULSE, and waiting for a semaphore.
  *
- * @import { Statement } from '../tree.js'
+ * @import { Expression, Statement } from '../tree.js'
  * @import { Compiler } from './compiler.js'
  * @import { Evaluate } from './machine.js'
  */
 import { emitPlain } from './emit.js';
 import { compileExpression, compileReference } from './expressions.js';
-import { HALT } from './machine.js';
+import { isDesignator } from '../check/context.js';
+import { HALT, SCAN } from './machine.js';
 import { number } from './values.js';
 
 /** @param {Evaluate} milliseconds @param {Compiler} compiler */
@@ -45,4 +46,31 @@ export function compilePulse({ port, milliseconds, nowait }, compiler) {
     });
   });
   if (!nowait) compileDelay(time, compiler);
+}
+
+/** PEND_SEMA(number, most milliseconds, timed out): a negative time waits for ever. @param {readonly Expression[]} args @param {Compiler} compiler */
+export function compilePend([index, most, isLate], compiler) {
+  const wanted = compileExpression(index, compiler);
+  const longest = compileExpression(most, compiler);
+  if (!isDesignator(isLate)) throw new RangeError('PEND_SEMA sets a variable.');
+  const target = compileReference(isLate, compiler);
+  const until = compiler.temporary();
+  const at = compiler.here();
+  compiler.emit((machine, frame) => {
+    const { state } = machine;
+    const semaphore = number(wanted(machine, frame));
+    const limit = number(longest(machine, frame));
+    const end = /** @type {number} */ (frame.locals[until] ??= limit < 0 ? Infinity : state.time + limit);
+    const isFree = (state.semaphores[semaphore] ?? 0) > 0;
+    if (!isFree && state.time < end) {
+      state.tasks[state.current].wake = Math.min(end, state.time + SCAN);
+      frame.pc = at;
+      return HALT;
+    }
+    if (isFree) state.semaphores[semaphore]--;
+    frame.locals[until] = undefined;
+    const { holder, key } = target(machine, frame);
+    holder[key] = !isFree;
+    return at + 1;
+  });
 }

@@ -87,8 +87,9 @@ function compileRead(items, device, at, compiler) {
     if (item.kind === 'new-line') return null;
     const node = item.kind === 'format' ? item.value : item;
     const width = item.kind === 'format' ? compileExpression(item.formats[0], compiler) : null;
+    const isRaw = item.kind === 'format' && item.formats.length > 1;
     if (!isDesignator(node)) throw new RangeError('READ reads into variables.');
-    return { at: compileReference(node, compiler), type: compiler.typeOf(node), width };
+    return { at: compileReference(node, compiler), type: compiler.typeOf(node), width, isRaw };
   });
   const { line } = compiler;
   const here = compiler.here();
@@ -113,7 +114,9 @@ function compileRead(items, device, at, compiler) {
       const { holder, key } = target.at(machine, frame);
       if (target.type.kind === 'STRING') {
         const most = Math.min(target.width ? number(target.width(machine, frame)) : 254, target.type.length ?? 254);
-        const [found] = /^[^\n]*/.exec(rest) ?? [''];
+        // By two formats so many characters, line ends among them; otherwise a line at most, the next one at the end of one.
+        if (!target.isRaw && rest.startsWith('\n')) rest = rest.slice(1);
+        const [found] = target.isRaw ? [rest] : (/^[^\n]*/.exec(rest) ?? ['']);
         holder[key] = found.slice(0, most);
         rest = rest.slice(Math.min(found.length, most));
       } else {

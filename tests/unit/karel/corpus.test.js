@@ -85,7 +85,7 @@ test('stepping back restores exactly the state before, and going on again gives 
     const states = [saveState(machine)];
     const run = runMachine(machine);
     for (let next = run.next(); !next.done && states.length < 40; next = run.next()) states.push(saveState(machine));
-    for (let i = states.length - 1; i > 0; i -= 5) {
+    for (let i = states.length - 1; i > 0; i -= 3) {
       restoreState(machine, states[i - 1]);
       expect(machine.state).toEqual(states[i - 1]);
       const again = runMachine(machine);

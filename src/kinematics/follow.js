@@ -38,7 +38,6 @@ import { requirePositive, requirePosture } from './checks.js';
 import { descend } from './descent/dampedLeastSquares.js';
 import { lesserTasks, uprightOf } from './descent/lesserTasks.js';
 import { copy, prepareSearch } from './descent/search.js';
-import { worstExcess } from './descent/verdict.js';
 import { determinantAt } from './determinant.js';
 import { tcpPose } from './forward.js';
 import { bringInside, isSlide } from './limits.js';
@@ -201,6 +200,7 @@ function writePiece(T_base_start, toGo, share) {
 function searchFrom(chain, q, goal, task, settings) {
   const search = prepareSearch(chain, goal, settings);
   search.task = task;
+  search.turnsBack = false; // the same posture a full turn away is not where the arm can be in a frame
   if (task !== 'pose') search.up = uprightOf(chain);
   copy(q, search.q);
   return search;
@@ -272,6 +272,23 @@ function limitInTheWay(chain, nearest, T_base_goal, task, settings) {
   search.isBounded = false;
   const isMet = descend(search) === 'met';
   search.isBounded = true;
-  const { joint, by } = worstExcess(chain, search.q);
-  return by > 0 && (isMet || search.cost < MUCH_BETTER * cost) ? joint : null;
+  const joint = isMet || search.cost < MUCH_BETTER * cost ? farthestPast(chain, search.q) : -1;
+  return joint < 0 ? null : joint;
+}
+
+/**
+ * The joint farthest past its limit. Full turns count: where its limits are a turn and more apart it could be inside again
+ * from the other end, but that is no way to go on.
+ * @param {Chain} chain
+ * @param {ArrayLike<number>} q
+ * @returns {number} -1 if all are inside
+ */
+function farthestPast({ packed, dof, characteristicLength }, q) {
+  let [farthest, most] = [-1, 0];
+  for (let i = 0; i < dof; i++) {
+    const past =
+      Math.max(packed.lower[i] - q[i], q[i] - packed.upper[i]) / (isSlide(packed, i) ? characteristicLength : 1);
+    if (past > most) [farthest, most] = [i, past];
+  }
+  return farthest;
 }

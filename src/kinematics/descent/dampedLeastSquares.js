@@ -108,7 +108,7 @@ function holdJoints({ packed: { lower, upper }, q, H, gradient }) {
  * @returns {boolean}
  */
 function writeTrial(search, damping) {
-  const { packed, task, isBounded, q, trial, weight, J, H, gradient, step, bend, unit } = search;
+  const { packed, task, isBounded, turnsBack, q, trial, weight, J, H, gradient, step, bend, unit } = search;
   if (!solveCholesky(H, gradient, step, damping)) return false;
   if (task === 'pose') {
     const straight = squareOf(step);
@@ -125,7 +125,8 @@ function writeTrial(search, damping) {
   for (let i = 0; i < q.length; i++) {
     const value = q[i] + step[i] * unit[i];
     const isInside = value >= lower[i] && value <= upper[i];
-    trial[i] = isInside || !isBounded ? value : bringInside(packed, i, value);
+    if (isInside || !isBounded) trial[i] = value;
+    else trial[i] = turnsBack ? bringInside(packed, i, value) : value < lower[i] ? lower[i] : upper[i];
   }
   return true;
 }

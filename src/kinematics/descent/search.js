@@ -19,6 +19,7 @@
  * @property {number} finest      the smaller of the two tolerances: radians, arm lengths
  * @property {number} maxIterations
  * @property {boolean} isBounded  whether the limits hold
+ * @property {boolean} turnsBack  whether a joint that would go past its limit may come in again full turns away, where it has room
  * @property {TaskName} task
  * @property {ArrayLike<number>} up  the upright that tasks speak of (task.js)
  * @property {number} spare       weight of what the task leaves free
@@ -60,6 +61,7 @@ const allocateSearch = (packed, dof) => ({
   finest: 0,
   maxIterations: 0,
   isBounded: true,
+  turnsBack: true,
   task: 'pose',
   up: UP,
   spare: 0,
@@ -98,6 +100,7 @@ export function prepareSearch({ packed, dof, characteristicLength }, T_base_goal
   search.finest = Math.min(options.positionTolerance / characteristicLength, options.orientationTolerance);
   search.maxIterations = options.maxIterations;
   search.isBounded = true;
+  search.turnsBack = true;
   search.task = 'pose';
   search.up = UP;
   search.spare = 0;

@@ -43,6 +43,9 @@ const HARDLY = 1e-3;
 /** A piece on which joints go far is taken in so many parts at most. */
 const MOST_TAKES = 60;
 
+/** As far as a joint ever has to go at once: radians, or characteristic lengths of a slide. */
+const ANY_STEP = Math.PI;
+
 /** A turn that is missed by more than this was not made, metres and radians. */
 const MISSED = 1e-6;
 
@@ -131,7 +134,10 @@ function takePiece(chain, press, to, options) {
   }
   const isSlow = whole.status === 'behind' || whole.status === 'singularity';
   if (isSlow && on > HARDLY) return best;
-  return { ...best, stop: reasonFor(chain, best, to - from, isSlow ? whole : missed) };
+  // A joint that is as fast as it may be hides what it runs into: that shows where the joints take what they need.
+  const cause = isSlow ? followPose(chain, { q: best.q }, goalOf(press, to), { mostStep: ANY_STEP }) : missed;
+  if (isSlow && isMet(cause)) return { ...best, stop: { why: 'singularity' } };
+  return { ...best, stop: reasonFor(chain, best, to - from, cause) };
 }
 
 /**

@@ -215,6 +215,28 @@ describe('a tool that is pulled along', () => {
     expect(apart(q, answers[answers.length - 1].q)).toBeLessThan(1e-6);
   });
 
+  test('a joint with more room than a turn waits at its limit, too, and does not go round to the other', () => {
+    const past = 0.1;
+    const wide = SIX.filter((name) => {
+      const { lower = -Infinity, upper = Infinity } = publishedArm(name).joints[5];
+      return upper - lower > 2 * Math.PI && upper < Infinity;
+    });
+    expect(wide.length).toBeGreaterThan(3);
+    for (const name of wide) {
+      const description = publishedArm(name);
+      const { upper = Infinity } = description.joints[5];
+      const q = anyPosture(description, createRandom(SEED)).with(5, upper - 0.02);
+      // what the last joint would do on its own
+      const axis = oracleForward(description, q).tcp;
+      const beyond = q.with(5, upper + past);
+      const goals = Array.from({ length: 12 }, () => poseOf(name, beyond));
+      const answers = drag(description, q, [...goals, axis, axis, axis]);
+      for (const { status, joint } of answers.slice(3, 12)) expect([name, status, joint]).toEqual([name, 'limit', 5]);
+      expect(apart(Array.from(answers[3].q), answers[11].q)).toBeLessThan(1e-6);
+      expect(apart(q, answers[answers.length - 1].q)).toBeLessThan(1e-6);
+    }
+  });
+
   test('a goal far away is approached frame by frame, and met as soon as the joints can', () => {
     const description = publishedArm('ur5');
     const q = [0, -1, 1, -1, -1.3, 0];

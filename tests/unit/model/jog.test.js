@@ -1,10 +1,12 @@
 import { describe, expect, test } from 'vitest';
 import { createChain } from '../../../src/kinematics/chain.js';
+import { dexterity } from '../../../src/kinematics/dexterity.js';
 import { tcpPose } from '../../../src/kinematics/forward.js';
 import { createRandom } from '../../../src/kinematics/random.js';
 import { LIBRARY } from '../../../src/model/library.js';
 import { compileRobot } from '../../../src/model/compile.js';
 import { beginJog, jogFurther, jogJoint, withoutLimits } from '../../../src/model/jog/jog.js';
+import { runs } from '../../helpers/property.js';
 import {
   angleBetween,
   columnMajor,
@@ -128,6 +130,55 @@ test('a joint that is in the way is named', () => {
   expect(jogFurther(free, beginJog(free, HOME, WORLD, 1), 0.1).stop).toBeNull();
 });
 
+test('a held button comes to rest at the limit of a joint that has more room than a turn, and names the joint', () => {
+  const chain = puma();
+  const most = 0.05; // in a frame
+  for (const sign of [1, -1]) {
+    const q = HOME.with(5, sign * (266 / 180) * Math.PI - sign * 0.3);
+    let press = beginJog(chain, q, tcpPose(chain, q), 5);
+    for (let frame = 0; frame < 60 && !press.stop; frame++) {
+      const before = press.q;
+      press = jogFurther(chain, press, sign * 0.02, most);
+      press.q.forEach((value, i) => expect(Math.abs(value - before[i])).toBeLessThanOrEqual(most + 1e-12));
+    }
+    expect(press.stop).toEqual({ why: 'limit', joint: 5 });
+    expect(press.q[5]).toBeCloseTo((sign * 266 * Math.PI) / 180, 4);
+    expect(press.travelled).toBeCloseTo(sign * 0.3, 4);
+  }
+});
+
+test('held through any way, every stop has its true reason, and no joint leaps', () => {
+  const random = createRandom(84);
+  const most = 0.06;
+  for (const id of ['puma560', 'ur5', 'kuka_kr6_r900', 'fanuc_m10ia', 'stanford', 'scara_cobra600']) {
+    const chain = compileRobot(LIBRARY[id]);
+    const { lower, upper } = chain.packed;
+    for (let tries = 0; tries < runs(3); tries++) {
+      const q = Float64Array.from(lower, (least, i) => {
+        const [low, high] = [Math.max(least, -3), Math.min(upper[i], 3)];
+        return low + (high - low) * random();
+      });
+      let press = beginJog(chain, q, WORLD, Math.floor(6 * random()));
+      const rate = (press.isTurn ? 0.03 : 0.01) * (random() < 0.5 ? -1 : 1);
+      for (let frame = 0; frame < 200 && !press.stop; frame++) {
+        const before = press.q;
+        press = jogFurther(chain, press, rate, most);
+        press.q.forEach((value, i) => {
+          const unit = chain.joints[i].type === 'prismatic' ? chain.characteristicLength : 1;
+          expect(Math.abs(value - before[i]) / unit).toBeLessThanOrEqual(most + 1e-12);
+        });
+      }
+      const { stop } = press;
+      if (!stop || stop.why === 'freedom') continue;
+      // where it stopped, either that joint stands at its limit or the arm is next to a singularity
+      if (stop.why === 'limit') {
+        const joint = stop.joint ?? -1;
+        expect(Math.min(press.q[joint] - lower[joint], upper[joint] - press.q[joint])).toBeLessThan(1e-3);
+      } else expect([id, stop.why, dexterity(chain, press.q).isotropy < 0.02]).toEqual([id, stop.why, true]);
+    }
+  }
+});
+
 test('an arm that stands outside its limits is not taken anywhere', () => {
   const chain = puma();
   const outside = HOME.with(1, 4);
@@ -150,6 +201,10 @@ test('a motion for which an arm has no joint is not made, and is not called the 
   expect(along.isTilting).toBe(true);
   const straight = beginJog(planar, Float64Array.of(0, 0), WORLD, 0);
   expect(jogFurther(planar, straight, 0.01).stop).toEqual({ why: 'reach' });
+  // a wrist's tool goes about on a sphere: next to it is no singularity, however fast its joints would have to be
+  const wrist = compileRobot(LIBRARY.spherical_wrist);
+  const turned = Float64Array.of(2.51, 0.23, -0.56);
+  expect(jogFurther(wrist, beginJog(wrist, turned, WORLD, 0), 0.005, 0.06).stop).toEqual({ why: 'reach' });
 });
 
 test('joints that may turn only so far at once bring the tool only so far', () => {

@@ -5,6 +5,7 @@
  * @import { Doc, RobotDoc } from './model/document.js'
  * @import { AppState, Action } from './model/session.js'
  * @import { Store } from './model/store.js'
+ * @import { Clearance } from './model/workcell/workcell.js'
  * @import { Page } from './ui/page.js'
  *
  * @typedef {{ doc: Doc | null, show: (page: Page) => void }} Link  what is in the address
@@ -55,7 +56,7 @@ import { SHORTCUTS, createShortcuts } from './ui/shortcuts.js';
 import { createTheme } from './ui/theme.js';
 import { createTouchKeys } from './ui/parts/touchKeys.js';
 import { createViewPanel } from './ui/view/viewPanel.js';
-import { whenFirst } from './ui/parts/whenFirst.js';
+import { onceLoaded, whenFirst } from './ui/parts/whenFirst.js';
 
 const { values: parameters, refused } = readQueryParameters(location.search, SCHEMA);
 const manualClock = parameters.clock === 'manual' ? createManualClock() : null;
@@ -134,9 +135,13 @@ function stand(robot, isOther, link) {
   createBar(page, shell.bar, { files, theme, openHelp });
   runPanels(page, shell);
   createDhTable(page, shell.tabs.robot);
+  const cells = onceLoaded(async () =>
+    (await import('./model/workcell/workcell.js')).createWorkcells(derived, automaticRadii),
+  );
   createRobotSections(page, shell.tabs.robot, {
     automaticRadii: ({ units }) =>
       automaticRadii(derived.chain(store.state.doc)).map((radius) => fromKernel('length', radius, units)),
+    cells,
   });
   lazyPanel(
     page,
@@ -207,6 +212,18 @@ function stand(robot, isOther, link) {
     theme.onChange(stage.setTheme);
     const { missing } = view.text;
     const userFrame = () => derived.user(store.state.doc);
+    whenFirst(
+      page,
+      ({ doc, session }) => doc.obstacles.length > 0 || session.workcell.isOpen || session.workcell.hasCapsules,
+      async () => {
+        const [{ createWorkcellView }, { nearestLabel }] = await Promise.all([
+          import('./render/workcellView.js'),
+          import('./ui/workcell/closenessText.js'),
+        ]);
+        const text = (/** @type {Clearance} */ near) => nearestLabel(near, store.state.doc.robot.units);
+        createWorkcellView(page, stage, { cells: await cells(), text });
+      },
+    );
     dragWhenNear(page, { stage, room: shell.view, isWide, missing, userFrame, onError: messages.fault });
   } else {
     view.sayWhyEmpty();

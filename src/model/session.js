@@ -17,6 +17,7 @@
  * @import { Recording } from './program/recording.js'
  * @import { Taught } from './frames/threePoints.js'
  * @import { ToolKeeps } from './frames/toolChange.js'
+ * @import { WorkcellView } from './workcell/workcellView.js'
  *
  * @typedef {'robot' | 'program' | 'code' | 'jacobian'} Tab
  * @typedef {Tab | 'jog' | 'aim'} Panel
@@ -62,6 +63,7 @@
  * @property {string | null} step   the id of the step that is chosen, of the motion program that is shown
  * @property {Recording} recording  what "Record here" makes of the posture
  * @property {Planning | null} planning  the program in time, or on its way there
+ * @property {WorkcellView} workcell  how obstacles and clearances are looked at
  * @property {number} edition   counts how often the document was exchanged for another (opened, undone), not edited
  *
  * @typedef {History & { readonly session: Session }} AppState
@@ -82,6 +84,7 @@ import { FIRST_HANDLE } from './aim/handleAxes.js';
 import { fitUserFrame } from './frames/userAxes.js';
 import { FIRST_NUMBERS, fitNumbers } from './numbers/numbersView.js';
 import { FIRST_RECORDING } from './program/recording.js';
+import { FIRST_WORKCELL, withoutObstacles } from './workcell/workcellView.js';
 import { cancelGesture, endGesture, record, redo, stand, startHistory, undo } from './history.js';
 
 /** @type {Session} */
@@ -115,6 +118,7 @@ const FRESH = {
   step: null,
   recording: FIRST_RECORDING,
   planning: null,
+  workcell: FIRST_WORKCELL,
   edition: 0,
 };
 
@@ -170,7 +174,7 @@ function settle(state, history, next) {
   const isOther = robot.name !== old.name && robot.joints !== old.joints; // a new name alone makes no other robot
   const sameShape = robot.joints.length === old.joints.length && robot.units === old.units && !isOther;
   const { panel, tab, edition, frames, projection, trace, handle, jog, jacobian, toolKeeps } = session;
-  const { targetForm, targetFrom } = session;
+  const { targetForm, targetFrom, workcell } = session;
   const openJoint = session.openJoint === null ? null : Math.min(session.openJoint, robot.joints.length - 1);
   const numbers = fitNumbers(session.numbers, robot);
   const kept = {
@@ -186,6 +190,7 @@ function settle(state, history, next) {
     targetForm,
     targetFrom,
     toolKeeps,
+    workcell,
   };
   return {
     ...next,
@@ -193,9 +198,12 @@ function settle(state, history, next) {
   };
 }
 
-/** Another document's programs have been played by nobody. @param {AppState} state @param {AppState} before @returns {AppState} */
-const unplayed = (state, before) =>
-  state === before ? before : { ...state, session: { ...state.session, playback: null, planning: null } };
+/** Another document's programs have been played by nobody, and its obstacles are others. @param {AppState} state @param {AppState} before @returns {AppState} */
+const unplayed = (state, before) => {
+  if (state === before) return before;
+  const workcell = withoutObstacles(state.session.workcell);
+  return { ...state, session: { ...state.session, playback: null, planning: null, workcell } };
+};
 
 /** @param {AppState} state @param {AppState} before @returns {AppState} */
 function exchanged(state, before) {

@@ -201,8 +201,8 @@ export function createScene({ skin, isLow, labels, text, onChange, onGridStep })
       return set;
     },
 
-    /** Some marks have changed. */
-    touch: () => onChange({ castsAnew: false }),
+    /** Some marks have changed. @param {boolean} [castsAnew]  with what casts a shadow */
+    touch: (castsAnew = false) => onChange({ castsAnew }),
 
     /** Before a picture is taken. @param {Eye} eye */
     face(eye) {

@@ -6,7 +6,8 @@
  * @import { Doc, ObstacleDoc, RobotDoc, Units } from '../document.js'
  * @import { Derived } from '../derived.js'
  * @import { Chain } from '../../kinematics/chain.js'
- * @import { Nearest } from '../../motion/clearance/workcell.js'
+ * @import { ArmBodies } from '../../motion/clearance/armBodies.js'
+ * @import { Nearest, Workcell } from '../../motion/clearance/workcell.js'
  * @import { Obstacle } from '../../motion/clearance/obstacles.js'
  *
  * @typedef {object} Clearance  two bodies and what is between them
@@ -14,12 +15,29 @@
  * @property {number} link      0-based: of the joint that moves it
  * @property {string | null} obstacle  its id, or null:
  * @property {number | null} other     another link
+ *
+ * @typedef {Clearance & { readonly points: readonly [ofArm: Float64Array, ofOther: Float64Array] }} Near  and where that is, m
+ *
+ * @typedef {object} Closeness   how the arm stands, for the eye
+ * @property {Near | null} around   the nearest obstacle; null: there is none
+ * @property {Near | null} itself   the nearest two of its links that could touch; null: there are none
+ * @property {readonly Clearance[]} touching
+ *
+ * @typedef {{ link: number, radius: number, ends: Float64Array }} Capsule  m, seen from the world; x y z of both ends
+ *
+ * @typedef {object} ShownObstacle
+ * @property {string} id
+ * @property {ObstacleDoc['kind']} kind
+ * @property {Float64Array} T_world_obstacle
+ * @property {readonly [number, number, number]} size  m, along its axes; radii, and of a cylinder its height; of a plane 1
  */
-import { armBodies } from '../../motion/clearance/armBodies.js';
-import { clearance, createWorkcell } from '../../motion/clearance/workcell.js';
+import { ENDS, armBodies, writeEnds } from '../../motion/clearance/armBodies.js';
+import { nearestPoints } from '../../motion/clearance/nearestPoints.js';
+import { clearance, createWorkcell, touches } from '../../motion/clearance/workcell.js';
 import { compileLinkStyles, compilePose } from '../compile.js';
 import { memo } from '../memo.js';
 import { fromKernel, toKernel } from '../units.js';
+import { sizesOf } from './obstacles.js';
 
 /**
  * @param {Pick<Derived, 'chain' | 'posture'>} derived
@@ -34,8 +52,29 @@ export function createWorkcells(derived, automaticRadii) {
   );
   const cellOf = memo(createWorkcell);
   const nearestOf = memo(clearance);
+  const armOf = memo((/** @type {ArmBodies} */ bodies) => createWorkcell(bodies, []));
+  const aroundOf = memo((/** @type {ArmBodies} */ bodies, /** @type {readonly Obstacle[]} */ obstacles) =>
+    createWorkcell(bodies, obstacles, { looksAtItself: false }),
+  );
+  const closenessOf = memo(
+    /** @param {Doc['robot']} robot @param {Doc['obstacles']} listed @param {Chain} chain @param {Float64Array} q @returns {Closeness} */
+    (robot, listed, chain, q) => {
+      const doc = { robot, obstacles: listed };
+      const bodies = bodiesOf(robot, chain);
+      const obstacles = obstaclesOf(listed, robot.units);
+      const name = (/** @type {Nearest} */ near) => named(doc, bodies.stretches, near);
+      const nearIn = (/** @type {Workcell} */ within) => {
+        const near = clearance(within, q);
+        return near && { ...name(near), points: nearestPoints(within, q, near) };
+      };
+      const [around, itself] = [nearIn(aroundOf(bodies, obstacles)), nearIn(armOf(bodies))];
+      const isTouching = [around, itself].some((near) => near !== null && near.distance <= 0);
+      return { around, itself, touching: isTouching ? touches(cell(doc, chain), q).map(name) : [] };
+    },
+  );
+  const capsulesOf = memo(capsules);
 
-  const cell = (/** @type {Doc} */ { robot, obstacles }, /** @type {Chain} */ chain) =>
+  const cell = (/** @type {Pick<Doc, 'robot' | 'obstacles'>} */ { robot, obstacles }, /** @type {Chain} */ chain) =>
     cellOf(bodiesOf(robot, chain), obstaclesOf(obstacles, robot.units));
   return {
     cell: (/** @type {Doc} */ doc) => cell(doc, derived.chain(doc)),
@@ -45,10 +84,28 @@ export function createWorkcells(derived, automaticRadii) {
       const nearest = nearestOf(here, derived.posture(doc));
       return nearest && named(doc, here.bodies.stretches, nearest);
     },
+    /** The same with all that touches, and where; the same object for as long as nothing moves. @param {Doc} doc */
+    closeness: (doc) => closenessOf(doc.robot, doc.obstacles, derived.chain(doc), derived.posture(doc)),
+    /** The arm as it is looked at, where it stands now. @param {Doc} doc */
+    capsules: (doc) => capsulesOf(bodiesOf(doc.robot, derived.chain(doc)), derived.posture(doc)),
+    /** How thick its links are taken to be, m. @param {Doc} doc */
+    radii: (doc) => linkRadii(doc.robot, automaticRadii(derived.chain(doc))),
+    /** As the check has them. @param {Doc} doc */
+    obstacles: (doc) => obstaclesOf(doc.obstacles, doc.robot.units),
   };
 }
 
-/** @param {Doc} doc @param {readonly { link: number }[]} stretches @param {Nearest} nearest @returns {Clearance} */
+/** @typedef {ReturnType<typeof createWorkcells>} Workcells */
+
+/** @param {ArmBodies} bodies @param {Float64Array} q @returns {Capsule[]} */
+function capsules(bodies, q) {
+  const ends = writeEnds(bodies, q, new Float64Array(ENDS * bodies.stretches.length));
+  return bodies.stretches.flatMap(({ link, radius, moves }, i) =>
+    moves ? [{ link, radius, ends: ends.subarray(ENDS * i, ENDS * (i + 1)) }] : [],
+  );
+}
+
+/** @param {Pick<Doc, 'robot' | 'obstacles'>} doc @param {readonly { link: number }[]} stretches @param {Nearest} nearest @returns {Clearance} */
 const named = ({ robot, obstacles }, stretches, { distance, stretch, obstacle, other }) => ({
   distance: fromKernel('length', distance, robot.units),
   link: stretches[stretch].link,
@@ -94,3 +151,24 @@ export function compileObstacle(obstacle, units) {
     }
   }
 }
+
+/** @type {(doc: Doc) => readonly ShownObstacle[]} */
+export const shownObstacles = ({ obstacles, robot: { units } }) => shownOf(obstacles, units);
+
+const shownOf = memo(
+  /** @param {Doc['obstacles']} obstacles @param {Units} units @returns {ShownObstacle[]} */
+  (obstacles, units) =>
+    obstacles.map((obstacle) => {
+      const { width = 1, depth = 1, height = 1, radius = 1 } = sizesOf(obstacle);
+      const sizes = /** @type {const} */ ({
+        ...{ box: [width, depth, height], sphere: [radius, radius, radius] },
+        ...{ cylinder: [radius, radius, height], plane: [1, 1, 1] },
+      })[obstacle.kind];
+      const metres = (/** @type {number} */ value) =>
+        obstacle.kind === 'plane' ? value : toKernel('length', value, units);
+      return {
+        ...{ id: obstacle.id, kind: obstacle.kind, T_world_obstacle: compilePose(obstacle, units) },
+        size: /** @type {const} */ ([metres(sizes[0]), metres(sizes[1]), metres(sizes[2])]),
+      };
+    }),
+);

@@ -63,6 +63,23 @@ export function clearance(cell, q) {
 }
 
 /**
+ * All that touch in a posture, whatever else is nearer.
+ * @param {Workcell} cell
+ * @param {ArrayLike<number>} q
+ * @returns {Nearest[]}
+ */
+export function touches(cell, q) {
+  writeEnds(cell.bodies, q, cell.room.ends);
+  /** @type {Nearest[]} */
+  const all = [];
+  eachDistance(cell, 0, null, (found) => {
+    all.push({ ...found });
+    return 0;
+  });
+  return all;
+}
+
+/**
  * The first two bodies that do not keep their distance in a posture, if any do not.
  * @param {Workcell} cell
  * @param {ArrayLike<number>} q

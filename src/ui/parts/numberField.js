@@ -21,13 +21,19 @@ const WIDEST = 9;
  * @param {(value: number) => Change} given.command
  * @param {() => Change} given.again  what brings back what there is now
  * @param {(label: string, value: string) => string} given.done  the outcome in words
+ * @param {(value: number) => string | null} [given.check]  a reason against it beyond the command's own
  * @param {() => string | null} [given.resting]  another text than the number itself, while nobody edits it
  */
-export function numberField(page, reasons, { quantity, label, value, command, again, done, resting = () => null }) {
+export function numberField(
+  page,
+  reasons,
+  { quantity, label, value, command, again, done, check, resting = () => null },
+) {
   const input = textInput({ 'aria-label': label });
   const editor = editCell(page, input, {
     measure: () => ({ quantity, units: page.store.state.doc.robot.units }),
     command,
+    ...(check && { check }),
     again,
     onDone: () => done(label, editable(value())),
     onReason: (reason, refused) => reasons.set(input, reason, refused, (way) => editor.settle(way)),

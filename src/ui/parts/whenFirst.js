@@ -23,3 +23,21 @@ export function whenFirst({ addView, messages }, isWanted, start) {
     }
   });
 }
+
+/**
+ * What several wait for is fetched once; what could not be fetched is tried again by the next who asks.
+ * @template Value
+ * @param {() => Promise<Value>} load
+ * @returns {() => Promise<Value>}
+ */
+export function onceLoaded(load) {
+  /** @type {Promise<Value> | null} */
+  let loading = null;
+  return () => {
+    loading ??= load().catch((error) => {
+      loading = null;
+      throw error;
+    });
+    return loading;
+  };
+}

@@ -4,6 +4,7 @@
  *
  * @import { Page } from '../page.js'
  * @import { RobotDoc } from '../../model/document.js'
+ * @import { Workcells } from '../../model/workcell/workcell.js'
  */
 import { isSliding } from '../../model/document.js';
 import { isNoPose } from '../../model/noPose.js';
@@ -28,8 +29,8 @@ export function openJointDetails({ store, clock }, joint) {
 /**
  * @param {Page} page
  * @param {HTMLElement} host
- * @param {{ automaticRadii: (robot: RobotDoc) => readonly number[] }} scene  how thick links are drawn by themselves, in
- *   document units
+ * @param {{ automaticRadii: (robot: RobotDoc) => readonly number[], cells: () => Promise<Workcells> }} scene  how thick links are
+ *   drawn by themselves, in document units; the arm among its obstacles
  */
 export function createRobotSections(page, host, scene) {
   const { store, addView, clock, messages } = page;
@@ -49,8 +50,19 @@ export function createRobotSections(page, host, scene) {
   const base = fold('fold-base', (body) => editPose(body, 'base'));
   const tool = fold('fold-tool', (body) => editPose(body, 'tool'));
   const frames = fold('fold-frames', async (body) => (await import('./framesPanel.js')).createFramesPanel(page, body));
+  const obstacles = fold(
+    'fold-obstacles',
+    async (body) => {
+      const [{ createObstaclesPanel }, cells] = await Promise.all([
+        import('../workcell/obstaclesPanel.js'),
+        scene.cells(),
+      ]);
+      createObstaclesPanel(page, body, cells);
+    },
+    (isOpen) => store.dispatch({ type: 'show', change: { workcell: { ...store.state.session.workcell, isOpen } } }),
+  );
   const about = fold('fold-about', async (body) => (await import('./robotInfo.js')).createRobotInfo(page, body));
-  host.append(...[joint, base, tool, frames, about].map(({ element }) => element));
+  host.append(...[joint, base, tool, frames, obstacles, about].map(({ element }) => element));
 
   let shown = 0; // the joint that the head speaks of
   // With the fold open, whichever row a person goes to is the one that is shown in it.
@@ -76,6 +88,13 @@ export function createRobotSections(page, host, scene) {
       base.setHead(TEXT.robot.base, ...poseInWords(robot.base, robot.units, TEXT.robot.noBase));
       tool.setHead(TEXT.robot.tool, ...poseInWords(robot.tool, robot.units, TEXT.robot.noTool));
       about.setHead(TEXT.robot.about, robot.info.source ?? TEXT.robot.noSource);
+    },
+  );
+  addView(
+    together(({ doc, session }) => [doc.obstacles.length, session.workcell.isOpen]),
+    ([count, isOpen]) => {
+      obstacles.setHead(TEXT.robot.obstacles, count === 0 ? TEXT.robot.noObstacles : String(count));
+      obstacles.set(isOpen);
     },
   );
   addView(

@@ -13,6 +13,8 @@ export const ROBOT = {
     /** @type {string | undefined} */ tool,
     /** @type {boolean} */ isFlange,
   ) => `${user ?? 'world'} · ${tool ?? (isFlange ? 'flange' : 'unlisted tool')}`,
+  obstacles: 'Obstacles',
+  noObstacles: 'none',
   about: 'About this robot',
   noBase: 'at the origin, upright',
   noTool: 'none; the flange itself',

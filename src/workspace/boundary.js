@@ -1,0 +1,93 @@
+/**
+ * Which parts of the critical curves are the boundary of the region: those with places that can be reached on one side only.
+ * What holds of one place beside a curve holds as far as the next curve, so a piece is asked of near both ends, and halved
+ * where the answers differ: that is where another curve crosses it.
+ *
+ * @import { Traced, Vertex } from './traced.js'
+ *
+ * @typedef {(u: number, v: number) => boolean} IsReached
+ *
+ * @typedef {object} BoundaryPiece   the region is on its left
+ * @property {Vertex} from
+ * @property {Vertex} to
+ * @property {Traced} curve
+ */
+import { apart } from './traced.js';
+
+/** Places are looked at this far beside a curve, in tolerances of the curve's lines. */
+const BESIDE = 0.05;
+
+/** A piece whose ends differ is halved until it is no longer than this many tolerances. */
+const SHORTEST = 0.02;
+
+/** Halvings at most. */
+const DEEPEST = 24;
+
+/** What is reached beside a piece: on the left only, on the right only, on both sides or none. @typedef {1 | -1 | 0} Side */
+
+/**
+ * @param {Traced} curve
+ * @param {IsReached} isReached
+ * @param {number} tolerance
+ * @param {boolean} isThorough  every piece is asked of near both ends; else only one whose neighbours are not like it
+ * @returns {BoundaryPiece[]}
+ */
+export function boundaryOf(curve, isReached, tolerance, isThorough) {
+  /** @type {BoundaryPiece[]} */
+  const pieces = [];
+
+  /** @param {Vertex} at @param {Vertex} a @param {Vertex} b @returns {Side} beside the curve at a vertex between two others */
+  const sideAt = (at, a, b) => {
+    const length = apart(a, b);
+    if (length === 0) return 0;
+    const step = (BESIDE * tolerance) / length;
+    const [nu, nv] = [-(b.v - a.v) * step, (b.u - a.u) * step];
+    const isLeft = isReached(at.u + nu, at.v + nv);
+    const isRight = isReached(at.u - nu, at.v - nv);
+    return isLeft === isRight ? 0 : isLeft ? 1 : -1;
+  };
+
+  /** @param {Side} side @param {Vertex} a @param {Vertex} b */
+  const add = (side, a, b) => {
+    if (side === 1) pieces.push({ from: a, to: b, curve });
+    else if (side === -1) pieces.push({ from: b, to: a, curve });
+  };
+
+  /** @param {Vertex} a @param {Vertex} b @param {number} depth */
+  const look = (a, b, depth) => {
+    const length = apart(a, b);
+    if (length === 0) return;
+    const middle = curve.between(a, b);
+    if (!middle || length <= SHORTEST * tolerance || depth === DEEPEST) {
+      add(sideAt(middle ?? a, a, b), a, b);
+      return;
+    }
+    const first = curve.between(a, middle);
+    const second = curve.between(middle, b);
+    const sides = [sideAt(middle, a, b)];
+    if (first) sides.push(sideAt(first, a, middle));
+    if (second) sides.push(sideAt(second, middle, b));
+    if (sides.every((side) => side === sides[0])) {
+      add(sides[0], a, b);
+      return;
+    }
+    look(a, middle, depth + 1);
+    look(middle, b, depth + 1);
+  };
+
+  const { vertices } = curve;
+  if (isThorough) {
+    for (let i = 1; i < vertices.length; i++) look(vertices[i - 1], vertices[i], 0);
+    return pieces;
+  }
+  const sides = vertices.slice(1).map((to, i) => {
+    const middle = curve.between(vertices[i], to);
+    return middle && sideAt(middle, vertices[i], to);
+  });
+  sides.forEach((side, i) => {
+    const isLike = side !== null && side === (sides[i - 1] ?? null) && side === (sides[i + 1] ?? null);
+    if (isLike) add(side, vertices[i], vertices[i + 1]);
+    else look(vertices[i], vertices[i + 1], 0);
+  });
+  return pieces;
+}

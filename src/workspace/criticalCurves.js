@@ -1,0 +1,192 @@
+/**
+ * The curves of a section on which the region of an arm can have its boundary. At a posture from which the free joints (those
+ * not at a limit) can push the TCP in every direction of the section, all that is near can be reached; so a boundary is made
+ * of postures from which they cannot. Of a face of the box of joint values with
+ *
+ * - one free joint that is every posture: its *edge* is traced;
+ * - two free joints those where their two effects are parallel, det(∂(u, v)/∂(a, b)) = 0: a *fold*, the contour of a function
+ *   on a rectangle;
+ * - a limit of the joint that the plane takes care of: where that stands at its limit, again a contour.
+ *
+ * Faces of three and more free joints are those of criticalPostures.js.
+ *
+ * @import { SectionMap } from './sectionMap.js'
+ * @import { Fixed, Traced, Vertex } from './traced.js'
+ */
+import { contourPieces } from './contour.js';
+import { refined, vertexAt } from './traced.js';
+
+/** An edge is looked at in this many places before it is refined. */
+const EDGE_PLACES = 48;
+
+/** Squares along one side of the grid in which contours are looked for, and of those around crossings. */
+const GRID = 128;
+const FINER = 24;
+
+/** So much closer do the latter look each time, so often at most. */
+const CLOSER = 8;
+const DEEPEST = 5;
+
+/**
+ * The faces with so many free arguments: which are free, and where the others stand.
+ * @param {SectionMap} map
+ * @param {number} freedom
+ * @returns {{ free: number[], x: Float64Array, fixed: Fixed[] }[]}
+ */
+export function facesOf({ lower, upper, isClosed, free, placement }, freedom) {
+  /** @type {{ free: number[], x: Float64Array, fixed: Fixed[] }[]} */
+  let faces = [{ free: [], x: lower.slice(), fixed: [] }];
+  for (let i = 0; i < lower.length; i++) {
+    const joint = placement.ranges.joints[free[i]];
+    faces = faces.flatMap((face) => {
+      const isFree = { ...face, free: [...face.free, i] };
+      if (isClosed[i]) return [isFree];
+      const at = (/** @type {'lower' | 'upper'} */ bound) => {
+        const x = face.x.slice();
+        x[i] = (bound === 'lower' ? lower : upper)[i];
+        return { free: face.free, x, fixed: [...face.fixed, { joint, bound }] };
+      };
+      return lower[i] === upper[i] ? [at('lower')] : [isFree, at('lower'), at('upper')];
+    });
+  }
+  return faces.filter((face) => face.free.length === freedom);
+}
+
+/**
+ * @param {SectionMap} map
+ * @param {number} tolerance  m
+ * @returns {Generator<Traced>}
+ */
+export function* edges(map, tolerance) {
+  for (const { free, x, fixed } of facesOf(map, 1)) {
+    const [i] = free;
+    /** @param {Vertex} a @param {Vertex} b */
+    const between = (a, b) =>
+      vertexAt(
+        map,
+        a.x.map((value, k) => (value + b.x[k]) / 2),
+      );
+    const vertices = Array.from({ length: EDGE_PLACES + 1 }, (_, k) => {
+      const share = k / EDGE_PLACES;
+      const place = x.slice();
+      place[i] = share === 1 ? map.upper[i] : map.lower[i] + share * (map.upper[i] - map.lower[i]);
+      return vertexAt(map, place);
+    });
+    yield* refined({ kind: 'limit', fixed, between }, vertices, tolerance).runs;
+  }
+}
+
+/**
+ * @param {SectionMap} map
+ * @param {number} tolerance
+ * @returns {Generator<Traced>}
+ */
+export function* folds(map, tolerance) {
+  const { Jf } = map;
+  for (const { free, x, fixed } of facesOf(map, 2)) {
+    const [a, b] = free;
+    const place = x.slice();
+    const determinant = (/** @type {number} */ p, /** @type {number} */ q) => {
+      place[a] = p;
+      place[b] = q;
+      map.write(place);
+      return Jf[2 * a] * Jf[2 * b + 1] - Jf[2 * a + 1] * Jf[2 * b];
+    };
+    yield* contours(map, { free, x, fixed, kind: 'singular', of: determinant, isThere: () => true }, tolerance);
+  }
+}
+
+/**
+ * Where the joint that the plane takes care of would stand at a limit of its own.
+ * @param {SectionMap} map
+ * @param {number} tolerance
+ * @returns {Generator<Traced>}
+ */
+export function* ownLimits(map, tolerance) {
+  const { placement, left, isAnyAngle } = map;
+  if (left < 0 || isAnyAngle) return;
+  const beside = new Float64Array(2);
+  const { joints, lower, upper } = placement.ranges;
+  for (const bound of /** @type {const} */ (['lower', 'upper'])) {
+    const limit = (bound === 'lower' ? lower : upper)[left];
+    for (const { free, x, fixed } of facesOf(map, 2)) {
+      const [a, b] = free;
+      const place = x.slice();
+      const write = (/** @type {number} */ p, /** @type {number} */ q) => {
+        place[a] = p;
+        place[b] = q;
+        map.write(place);
+        map.writeBeside(limit, beside);
+      };
+      const of = (/** @type {number} */ p, /** @type {number} */ q) => (write(p, q), beside[0]);
+      const isThere = (/** @type {number} */ p, /** @type {number} */ q) => (write(p, q), beside[1] > 0);
+      const own = [...fixed, { joint: joints[left], bound }];
+      yield* contours(map, { free, x, fixed: own, kind: 'limit', of, isThere }, tolerance);
+    }
+  }
+}
+
+/**
+ * @typedef {object} Wanted   a contour on a face of two free arguments
+ * @property {number[]} free
+ * @property {Float64Array} x
+ * @property {Fixed[]} fixed
+ * @property {Traced['kind']} kind
+ * @property {(p: number, q: number) => number} of
+ * @property {(p: number, q: number) => boolean} isThere  where it counts
+ */
+
+/**
+ * @param {SectionMap} map
+ * @param {Wanted} wanted
+ * @param {number} tolerance
+ * @returns {Generator<Traced>}
+ */
+function* contours(map, { free: [a, b], x, fixed, kind, of, isThere }, tolerance) {
+  const vertexOf = (/** @type {number[]} */ [p, q]) => {
+    const place = x.slice();
+    place[a] = p;
+    place[b] = q;
+    return vertexAt(map, place);
+  };
+  const [low, high] = [
+    [map.lower[a], map.lower[b]],
+    [map.upper[a], map.upper[b]],
+  ];
+  /** @type {{ low: number[], high: number[], grid: number, depth: number }[]} */
+  const rectangles = [{ low, high, grid: GRID, depth: 0 }];
+  for (let rectangle = rectangles.pop(); rectangle; rectangle = rectangles.pop()) {
+    const { depth } = rectangle;
+    const { pieces, between } = contourPieces(of, rectangle);
+    for (const piece of pieces) {
+      if (!piece.every(([p, q]) => isThere(p, q))) continue;
+      const { runs, gaps } = refined(
+        {
+          kind,
+          fixed,
+          between(from, to) {
+            const middle = between([from.x[a], from.x[b]], [to.x[a], to.x[b]]);
+            return middle && vertexOf(middle);
+          },
+        },
+        piece.map(vertexOf),
+        tolerance,
+      );
+      yield* runs;
+      // Two branches cross nearby: a finer grid tells them apart.
+      if (depth === DEEPEST) continue;
+      for (const [from, to] of gaps) {
+        const around = (/** @type {number} */ k, /** @type {0 | 1} */ axis) => {
+          const [one, other] = [from.x[k], to.x[k]];
+          const margin = Math.max(Math.abs(other - one), (high[axis] - low[axis]) / (GRID * CLOSER ** depth));
+          return [
+            Math.max(low[axis], Math.min(one, other) - margin),
+            Math.min(high[axis], Math.max(one, other) + margin),
+          ];
+        };
+        const [[lowA, highA], [lowB, highB]] = [around(a, 0), around(b, 1)];
+        rectangles.push({ low: [lowA, lowB], high: [highA, highB], grid: FINER, depth: depth + 1 });
+      }
+    }
+  }
+}

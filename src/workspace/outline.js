@@ -1,0 +1,233 @@
+/**
+ * From pieces of boundary to closed outlines, and what they enclose. Different postures may draw the same line (an elbow that
+ * is left or right at its limit), so what is there twice is taken out first; then pieces are joined end to end. An outline that
+ * does not close says that a piece is missing, and by how much: the error that is stated with an area counts it.
+ *
+ * @import { BoundaryPiece } from './boundary.js'
+ * @import { Traced, Vertex } from './traced.js'
+ *
+ * @typedef {object} Outline   closed; the region is on its left, so a hole runs clockwise
+ * @property {Vertex[]} vertices  the first is not repeated
+ * @property {Traced[]} curves    of the line from each vertex to the next
+ * @property {number} area        m², negative for a hole
+ * @property {number} gap         m: the longest that had to be bridged
+ *
+ * @typedef {object} Enclosed
+ * @property {number} area     m²
+ * @property {number} areaError
+ * @property {number} turned   m³: of the region turned once about the axis u = 0 (Pappus)
+ * @property {number} turnedError
+ * @property {number} perimeter m
+ * @property {number} gap
+ */
+import { apart } from './traced.js';
+
+/** Lines that run the same way within this (the cosine of the angle) may be one line twice. */
+const PARALLEL = 0.9999;
+
+/** A gap longer than so many tolerances is not bridged by joining, but closed as it is, and stated. */
+const BRIDGED = 4;
+
+/** Places in a grid of squares. */
+class Squares {
+  /** @type {Map<string, unknown[]>} */
+  #kept = new Map();
+  #side;
+
+  /** @param {number} side */
+  constructor(side) {
+    this.#side = side;
+  }
+
+  /** @param {number} u0 @param {number} v0 @param {number} u1 @param {number} v1 @returns {string[]} */
+  #keys(u0, v0, u1, v1) {
+    const at = (/** @type {number} */ value) => Math.floor(value / this.#side);
+    const keys = [];
+    for (let i = at(Math.min(u0, u1)); i <= at(Math.max(u0, u1)); i++)
+      for (let j = at(Math.min(v0, v1)); j <= at(Math.max(v0, v1)); j++) keys.push(`${i},${j}`);
+    return keys;
+  }
+
+  /** @param {unknown} thing @param {Vertex} a @param {Vertex} b */
+  add(thing, a, b) {
+    for (const key of this.#keys(a.u, a.v, b.u, b.v)) {
+      const there = this.#kept.get(key);
+      if (there) there.push(thing);
+      else this.#kept.set(key, [thing]);
+    }
+  }
+
+  /** @param {Vertex} a @param {Vertex} b @param {number} margin @returns {Set<unknown>} */
+  near(a, b, margin) {
+    const found = new Set();
+    const [u0, u1] = [Math.min(a.u, b.u) - margin, Math.max(a.u, b.u) + margin];
+    const [v0, v1] = [Math.min(a.v, b.v) - margin, Math.max(a.v, b.v) + margin];
+    for (const key of this.#keys(u0, v0, u1, v1)) for (const thing of this.#kept.get(key) ?? []) found.add(thing);
+    return found;
+  }
+}
+
+/**
+ * The pieces without what others have drawn before.
+ * @param {readonly BoundaryPiece[]} pieces
+ * @param {number} tolerance
+ * @returns {BoundaryPiece[]}
+ */
+export function onlyOnce(pieces, tolerance) {
+  const squares = new Squares(200 * tolerance);
+  /** @type {BoundaryPiece[]} */
+  const kept = [];
+  for (const piece of pieces) {
+    const { from, to } = piece;
+    const length = apart(from, to);
+    if (length === 0) continue;
+    const [du, dv] = [(to.u - from.u) / length, (to.v - from.v) / length];
+    /** Shares of the piece that are there already. @type {[number, number][]} */
+    const covered = [];
+    for (const other of /** @type {Set<BoundaryPiece>} */ (squares.near(from, to, tolerance))) {
+      const size = apart(other.from, other.to);
+      const cosine = ((other.to.u - other.from.u) * du + (other.to.v - other.from.v) * dv) / size;
+      if (cosine < PARALLEL) continue;
+      const [along0, off0] = beside(other.from, from, du, dv);
+      const [along1, off1] = beside(other.to, from, du, dv);
+      if (Math.abs(off0) > 2 * tolerance || Math.abs(off1) > 2 * tolerance) continue;
+      const [start, end] = [Math.max(0, along0), Math.min(length, along1)];
+      if (end - start > 0.01 * tolerance) covered.push([start / length, end / length]);
+    }
+    for (const [start, end] of uncovered(covered)) {
+      if ((end - start) * length <= 0.01 * tolerance) continue;
+      const left = { ...piece, from: between(from, to, start), to: between(from, to, end) };
+      kept.push(left);
+      squares.add(left, left.from, left.to);
+    }
+  }
+  return kept;
+}
+
+/** How far along a direction a point is, and how far beside it. @param {Vertex} point @param {Vertex} from @param {number} du @param {number} dv */
+const beside = (point, from, du, dv) => [
+  (point.u - from.u) * du + (point.v - from.v) * dv,
+  (point.v - from.v) * du - (point.u - from.u) * dv,
+];
+
+/** @param {Vertex} a @param {Vertex} b @param {number} share @returns {Vertex} */
+const between = (a, b, share) =>
+  share === 0
+    ? a
+    : share === 1
+      ? b
+      : {
+          x: share < 0.5 ? a.x : b.x,
+          u: a.u + share * (b.u - a.u),
+          v: a.v + share * (b.v - a.v),
+        };
+
+/** What is left of 0 … 1. @param {[number, number][]} covered @returns {[number, number][]} */
+function uncovered(covered) {
+  /** @type {[number, number][]} */
+  const left = [];
+  let at = 0;
+  for (const [start, end] of covered.sort((a, b) => a[0] - b[0])) {
+    if (start > at) left.push([at, start]);
+    at = Math.max(at, end);
+  }
+  if (at < 1) left.push([at, 1]);
+  return left;
+}
+
+/**
+ * @param {readonly BoundaryPiece[]} pieces  each once
+ * @param {number} tolerance
+ * @returns {Outline[]}
+ */
+export function outlinesOf(pieces, tolerance) {
+  const reach = BRIDGED * tolerance;
+  const starts = new Squares(4 * reach);
+  const ends = new Squares(4 * reach);
+  for (const piece of pieces) {
+    starts.add(piece, piece.from, piece.from);
+    ends.add(piece, piece.to, piece.to);
+  }
+  const left = new Set(pieces);
+  /** The nearest piece that is left whose end is here. @param {Squares} squares @param {Vertex} here @param {'from' | 'to'} end */
+  const nearest = (squares, here, end) => {
+    let best = null;
+    let least = reach;
+    for (const piece of /** @type {Set<BoundaryPiece>} */ (squares.near(here, here, reach))) {
+      const distance = apart(piece[end], here);
+      if (left.has(piece) && distance <= least) [best, least] = [piece, distance];
+    }
+    if (best) left.delete(best);
+    return best;
+  };
+  /** @type {BoundaryPiece[][]} */
+  const runs = [];
+  for (const first of pieces) {
+    if (!left.delete(first)) continue;
+    const after = [first];
+    for (let next = nearest(starts, first.to, 'from'); next; next = nearest(starts, next.to, 'from')) after.push(next);
+    /** @type {BoundaryPiece[]} */
+    const before = [];
+    for (let next = nearest(ends, first.from, 'to'); next; next = nearest(ends, next.from, 'to')) before.push(next);
+    runs.push([...before.reverse(), ...after]);
+  }
+  return bridged(runs, reach).map(closed);
+}
+
+/** How far it is from the end of a run to the start of another. @param {BoundaryPiece[]} a @param {BoundaryPiece[]} b */
+const gapBetween = (a, b) => apart(a[a.length - 1].to, b[0].from);
+
+/**
+ * Runs that do not close, joined where their ends are nearest: where the region ends in a tip, both of its sides stop a little
+ * short of it.
+ * @param {BoundaryPiece[][]} runs
+ * @param {number} reach
+ */
+function bridged(runs, reach) {
+  const done = runs.filter((run) => gapBetween(run, run) <= reach);
+  const open = runs.filter((run) => gapBetween(run, run) > reach);
+  while (open.length > 0) {
+    const run = /** @type {BoundaryPiece[]} */ (open.shift());
+    const next = open.reduce((best, other) => (gapBetween(run, other) < gapBetween(run, best) ? other : best), run);
+    if (next === run) done.push(run);
+    else open.splice(open.indexOf(next), 1, [...run, ...next]);
+  }
+  return done;
+}
+
+/** @param {BoundaryPiece[]} run @returns {Outline} */
+function closed(run) {
+  let gap = 0;
+  let area = 0;
+  run.forEach((piece, i) => {
+    const next = run[(i + 1) % run.length];
+    gap = Math.max(gap, apart(piece.to, next.from));
+    area += (piece.from.u * next.from.v - next.from.u * piece.from.v) / 2;
+  });
+  return { vertices: run.map(({ from }) => from), curves: run.map(({ curve }) => curve), area, gap };
+}
+
+/**
+ * By integrals along the outlines: the area is ∮ u dv, and what the region makes when it turns about u = 0 is π ∮ u² dv. The
+ * error is that of the lines (nowhere farther from the curve than its roughness) and of the gaps.
+ * @param {readonly Outline[]} outlines
+ * @returns {Enclosed}
+ */
+export function enclosed(outlines) {
+  const sum = { area: 0, areaError: 0, turned: 0, turnedError: 0, perimeter: 0, gap: 0 };
+  for (const { vertices, curves, area, gap } of outlines) {
+    sum.area += area;
+    sum.gap = Math.max(sum.gap, gap);
+    vertices.forEach((a, i) => {
+      const b = vertices[(i + 1) % vertices.length];
+      const length = apart(a, b);
+      const off = curves[i].roughness + gap * Number(gap > length);
+      sum.turned += (Math.PI / 3) * (a.u * a.u + a.u * b.u + b.u * b.u) * (b.v - a.v);
+      sum.perimeter += length;
+      sum.areaError += length * off;
+      sum.turnedError += Math.PI * (Math.abs(a.u) + Math.abs(b.u)) * length * off;
+    });
+    sum.areaError += gap * gap;
+  }
+  return sum;
+}

@@ -23,6 +23,9 @@ const EDGE_PLACES = 48;
 const GRID = 128;
 const FINER = 24;
 
+/** Where a full turn begins and ends, rad from half a turn: not where arms are straight or folded, as it is there that contours run. */
+const SEAM = 0.7316;
+
 /** So much closer do the latter look each time, so often at most. */
 const CLOSER = 8;
 const DEEPEST = 5;
@@ -149,10 +152,7 @@ function* contours(map, { free: [a, b], x, fixed, kind, of, isThere }, tolerance
     place[b] = q;
     return vertexAt(map, place);
   };
-  const [low, high] = [
-    [map.lower[a], map.lower[b]],
-    [map.upper[a], map.upper[b]],
-  ];
+  const [low, high] = [map.lower, map.upper].map((ends) => [a, b].map((k) => ends[k] + Number(map.isClosed[k]) * SEAM));
   /** @type {{ low: number[], high: number[], grid: number, depth: number }[]} */
   const rectangles = [{ low, high, grid: GRID, depth: 0 }];
   for (let rectangle = rectangles.pop(); rectangle; rectangle = rectangles.pop()) {

@@ -82,7 +82,7 @@ export const OVER = -3;
 export const SCAN = 8;
 
 /** What a statement takes, in ms. A guess: without it a loop that waits for a timer would never end. */
-const STATEMENT_TIME = 0.01;
+export const STATEMENT_TIME = 0.01;
 
 /** Instructions before other tasks, handlers and timers are looked at. */
 const SLICE = 400;
@@ -159,7 +159,7 @@ export function scanHandlers(machine, event) {
   }
 }
 
-/** What time brings: pulses end, timers run. @param {Machine} machine */
+/** What time brings: pulses end, timers run. @param {{ state: Pick<State, 'time' | 'timers' | 'pulses' | 'ports'> }} machine */
 export function passTime({ state }) {
   for (const { holder, key, since, from } of state.timers) holder[key] = Math.trunc(from + state.time - since);
   const over = state.pulses.filter(({ at }) => at <= state.time);

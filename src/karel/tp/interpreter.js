@@ -1,0 +1,128 @@
+/**
+ * A TP program, run: a generator of the same effects as KAREL's interpreter (`../interpreter.js`), and of `skipped` for an
+ * instruction that is not known. A move says where to as KAREL's does (`position`, `isJoint`), and with it the motion type, the
+ * speed, how it ends and the frames. Other TP programs are in `listings`; a call of what is not there is an effect. All that it
+ * knows is one plain state.
+ *
+ * @import { Outcome } from '../interpreter.js'
+ * @import { Effect, Host, State } from '../run/machine.js'
+ * @import { Value } from '../run/values.js'
+ * @import { TpListing, TpMotion } from './tree.js'
+ * @import { Memory, TpFrame, TpMachine, TpState } from './run/memory.js'
+ * @import { TpCode } from './run/program.js'
+ *
+ * @typedef {Omit<Outcome, 'state'> & { state: TpState }} TpOutcome
+ * @typedef {object} TpSetting
+ * @property {Readonly<Record<string, TpListing>>} [listings]  by their names
+ * @property {Memory} [memory]   the controller's, where it has been used already
+ * @property {readonly Value[]} [args]
+ */
+import { DEFAULT_STEPS, passTime, SCAN, STATEMENT_TIME } from '../run/machine.js';
+import { Alarm, copiedState } from '../run/values.js';
+import { evaluate, truthOf } from './run/evaluate.js';
+import { execute, frameFor, jump } from './run/execute.js';
+import { prepareTp } from './run/program.js';
+import { nameOf } from './tree.js';
+
+/** @param {TpListing} listing @param {Host} [host] @param {TpSetting} [setting] @returns {Generator<Effect, TpOutcome, unknown>} */
+export function* runTp(listing, host = {}, setting = {}) {
+  return yield* runTpMachine(createTpMachine(listing, host, setting));
+}
+
+/** @param {TpListing} listing @param {Host} [host] @param {TpSetting} [setting] @returns {TpMachine} */
+export function createTpMachine(listing, host = {}, { listings = {}, memory, args = [] } = {}) {
+  const all = [...Object.entries(listings).map(([name, one]) => /** @type {const} */ ([name.toUpperCase(), one]))];
+  const name = nameOf(listing);
+  const codes = new Map([...all, /** @type {const} */ ([name, listing])].map(([key, one]) => [key, prepareTp(one)]));
+  return { codes, host, state: { ...(memory ?? emptyMemory()), frames: [frameFor(name, args)], nextScan: SCAN } };
+}
+
+/** @returns {Memory} */
+const emptyMemory = () => ({
+  ...{ time: 0, steps: 0, ports: {}, registers: {}, positionRegisters: {}, stringRegisters: {} },
+  ...{ system: {}, pulses: [], timers: [] },
+});
+
+/** @param {TpMachine} machine */
+export const saveTpState = (machine) => copiedState(machine.state);
+
+/** @param {TpMachine} machine @param {TpState} state */
+export const restoreTpState = (machine, state) => void (machine.state = copiedState(state));
+
+/**
+ * From where the machine is. Whatever is left to do after an effect is in the state, so that it may be put back there.
+ * @param {TpMachine} machine
+ * @returns {Generator<Effect, TpOutcome, unknown>}
+ */
+export function* runTpMachine(machine) {
+  const { host, codes } = machine;
+  const most = host.steps ?? DEFAULT_STEPS;
+  while (true) {
+    const { state } = machine;
+    scan(machine);
+    const frame = state.frames.at(-1);
+    if (!frame) return { status: 'ended', state };
+    if (state.steps >= most) return { status: 'budget', state };
+    const code = codes.get(frame.program);
+    const line = code?.lines[frame.at];
+    const place = line?.span?.line ?? frame.at + 1;
+    /** @type {Effect | null} */
+    let effect;
+    try {
+      if (code && frame.skip !== undefined) {
+        skipOrGoOn(machine, frame, code);
+        continue;
+      }
+      if (!code || !line) {
+        state.frames.pop();
+        continue;
+      }
+      if (host.traceSteps && !frame.isTold && frame.since === undefined && !SILENT.has(line.instruction.kind)) {
+        frame.isTold = true;
+        yield { kind: 'step', line: place, routine: frame.program };
+      }
+      frame.isTold = false;
+      state.steps++;
+      state.time += STATEMENT_TIME;
+      const before = frame.at;
+      effect = execute(line, machine, frame, code);
+      if (line.instruction.kind === 'motion' && skipOf(line.instruction)) frame.skip = before;
+    } catch (alarm) {
+      if (!(alarm instanceof Alarm)) throw alarm;
+      const { code: kind, message } = alarm;
+      return { status: 'alarm', state, alarm: { code: kind, reason: message, line: place, routine: frame.program } };
+    }
+    if (effect?.kind === 'abort') return { status: 'aborted', state };
+    if (effect) yield { ...effect, line: place, program: effect.program ?? frame.program };
+  }
+}
+
+const SILENT = new Set(['blank', 'remark', 'disabled', 'label']);
+
+/** @param {TpMachine} machine */
+function scan({ state, host }) {
+  passTime({ state });
+  if (state.time < state.nextScan) return;
+  state.nextScan = state.time + SCAN;
+  host.onScan?.(/** @type {State} */ (/** @type {unknown} */ (state)));
+}
+
+/** @param {TpMotion} motion */
+const skipOf = ({ options }) => options.find(({ name }) => name.toUpperCase() === 'SKIP')?.value;
+
+/**
+ * Skip,LBL[n]: where the condition was not met until the move had ended, the program goes on at the label.
+ * @param {TpMachine} machine
+ * @param {TpFrame} frame
+ * @param {TpCode} code
+ */
+function skipOrGoOn(machine, frame, code) {
+  const motion = code.lines[frame.skip ?? 0].instruction;
+  delete frame.skip;
+  const label = motion.kind === 'motion' ? skipOf(motion) : undefined;
+  if (label?.kind !== 'register') return;
+  const at = /** @type {{ program: string, line: number } | undefined} */ (machine.state.system['SKIP_CONDITION']);
+  const node = at && machine.codes.get(at.program)?.lines[at.line]?.instruction;
+  if (node?.kind !== 'skip-condition') throw new Alarm('SKIP CONDITION was not set', 'skip');
+  if (!truthOf(evaluate(node.condition, machine, frame))) jump(label, machine, frame, code);
+}

@@ -32,7 +32,7 @@ export const plain = (value) => trueMinus(String(Object.is(value, -0) ? 0 : valu
  */
 export function compact(value, characters) {
   if (plain(value).length <= characters) return { text: plain(value), isRounded: false };
-  for (let digits = characters; digits > 1; digits--) {
+  for (let digits = characters; digits > 0; digits--) {
     const rounded = Number(value.toPrecision(digits));
     const texts = [String(rounded), rounded.toExponential().replace('e+', 'e')];
     const text = texts.find(({ length }) => length <= characters);

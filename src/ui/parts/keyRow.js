@@ -69,10 +69,13 @@ export function createKeyRow({ clock }, app) {
   }
 
   function hide() {
+    const panel = field?.closest('[data-room]');
     field = null;
     row.hidden = true;
     delete app.dataset.keys;
     makeRoom();
+    // A refusal or a question of what was typed was in sight above the keys, and stays so.
+    panel?.querySelector('.cellbar:is(.ask, .bad-n)')?.scrollIntoView({ block: 'nearest' });
   }
 
   /** The page ends where the keyboard begins. */

@@ -36,7 +36,7 @@ const WIDEST_SPEED = 6;
 export function createStepTable(page, reasons, acts) {
   const body = h('tbody');
   const { heads } = PROGRAM;
-  const element = h(
+  const table = h(
     'table',
     { class: 'steps' },
     h(
@@ -54,6 +54,7 @@ export function createStepTable(page, reasons, acts) {
     ),
     body,
   );
+  const element = h('div', { class: 'steps-room' }, table);
   /** @type {{ program: number, doc: Doc } | null} */
   let shown = null;
   /** @type {ReturnType<typeof createRow>[]} */
@@ -88,7 +89,7 @@ export function createStepTable(page, reasons, acts) {
       event.preventDefault();
     });
   const cells = () => rows.flatMap(({ editor }) => (editor ? [[editor.input]] : []));
-  watchTableKeys(element, cells, () => false);
+  watchTableKeys(table, cells, () => false);
   watchStepDrag(body, acts.move);
 
   page.addView(
@@ -108,7 +109,7 @@ export function createStepTable(page, reasons, acts) {
     draw(doc, program, chosen, faults) {
       shown = { doc, program };
       const { name, steps } = doc.motionPrograms[program];
-      element.setAttribute('aria-label', PROGRAM.steps(name));
+      table.setAttribute('aria-label', PROGRAM.steps(name));
       const { length, angle } = doc.robot.units;
       const now = [...steps.map(({ id, kind }) => `${id} ${kind}`), program, length, angle].join();
       if (now !== shape) {

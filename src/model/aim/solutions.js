@@ -3,11 +3,12 @@
  * solution what people and controllers call it, how far it is from here, and how much room its joints have.
  *
  * @import { Doc, RobotDoc } from '../document.js'
- * @import { AllSolutions } from '../../kinematics/allInverse.js'
+ * @import { AllSolutions, Solution } from '../../kinematics/allInverse.js'
  * @import { Chain } from '../../kinematics/chain.js'
  * @import { FanucConfiguration, KukaStatusTurn, PostureName } from '../../kinematics/postureNames.js'
  *
  * @typedef {AllSolutions} SolvedAll  as the kernel answers
+ * @typedef {Pick<AllSolutions, 'families' | 'complete'> & { solutions: readonly Pick<Solution, 'q' | 'withinLimits' | 'name'>[] }} Listed
  *
  * @typedef {object} JointRoom  of the joint that has the least of it, as a share of its range
  * @property {number} joint   from 0
@@ -29,6 +30,7 @@
  * @property {boolean} complete
  */
 import { allInverseKinematics } from '../../kinematics/allInverse.js';
+import { allPlaces } from '../../kinematics/allPlaces.js';
 import { linkFrames, tcpPose } from '../../kinematics/forward.js';
 import { fanucConfiguration, kukaStatusTurn, namePosture, prepareNames } from '../../kinematics/postureNames.js';
 import { recognise } from '../../kinematics/solvers/solvers.js';
@@ -57,6 +59,25 @@ export const solveAll = ({ robot, posture }, chain, T_world_target) =>
   allInverseKinematics(chain, T_world_target, { seed: compilePosture(robot, posture) });
 
 /**
+ * All postures that bring the tool's point to a place, its orientation being none of the arm's choice.
+ * @param {Doc} doc
+ * @param {Chain} chain
+ * @param {Float64Array} T_world_target
+ * @returns {Listed | null} null for an arm that has a choice
+ */
+export function solvePlace({ robot, posture }, chain, T_world_target) {
+  const places = allPlaces(chain, T_world_target, compilePosture(robot, posture));
+  const names = namesOf(chain);
+  return (
+    places && {
+      solutions: places.map((place) => ({ ...place, name: namePosture(names, place.q) })),
+      families: [],
+      complete: true,
+    }
+  );
+}
+
+/**
  * The same question as plain numbers, for a worker.
  * @param {Doc} doc
  * @param {Chain} chain
@@ -72,7 +93,7 @@ export const questionFor = ({ robot, posture }, { convention, base, tool, joints
  * @param {RobotDoc} robot
  * @param {Chain} chain
  * @param {readonly number[]} from  the posture that travel is counted from
- * @param {AllSolutions} all
+ * @param {Listed} all
  * @returns {FoundSolutions}
  */
 export function describeSolutions(robot, chain, from, { solutions, families, complete }) {
@@ -193,6 +214,16 @@ export function inOrderOf(older, found, robot) {
   });
   return [...kept, ...rest];
 }
+
+/**
+ * Whether two lists have the same postures, in whatever order.
+ * @param {readonly SolutionDoc[]} one
+ * @param {readonly SolutionDoc[]} other
+ * @param {RobotDoc} robot
+ */
+export const isOneList = (one, other, robot) =>
+  one.length === other.length &&
+  one.every(({ posture }) => other.some((each) => isSamePosture(robot, posture, each.posture)));
 
 /** Full turns aside. @param {RobotDoc} robot @param {readonly number[]} a @param {readonly number[]} b */
 function isSamePosture({ joints, units }, a, b) {

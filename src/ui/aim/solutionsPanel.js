@@ -4,7 +4,7 @@
  *
  * @import { Page } from '../page.js'
  * @import { AppState } from '../../model/session.js'
- * @import { FoundSolutions, SolutionDoc, SolvedAll } from '../../model/aim/solutions.js'
+ * @import { FoundSolutions, Listed, SolutionDoc, SolvedAll } from '../../model/aim/solutions.js'
  */
 import $ from 'jquery/slim';
 import { aim, gapBetween, poseFromXyzwpr } from '../../model/aim/aim.js';
@@ -12,9 +12,11 @@ import { compileRobot } from '../../model/compile.js';
 import {
   describeSolutions,
   inOrderOf,
+  isOneList,
   needsSearch,
   questionFor,
   solveAll,
+  solvePlace,
   travelBetween,
 } from '../../model/aim/solutions.js';
 import { tcpAt } from '../../model/aim/targetHelpers.js';
@@ -59,6 +61,7 @@ export function createSolutionsPanel(page, host, onCount) {
   /** @type {FoundSolutions | null} */
   let found = null;
   let isPartOnly = false;
+  let isPlaceOnly = false;
   let looked = -1;
   let focused = 0;
   const apart = createSolveApart(messages.fault);
@@ -93,9 +96,13 @@ export function createSolutionsPanel(page, host, onCount) {
     if (!goal) return;
     const { doc, session } = store.state;
     const chain = derived.chain(doc);
+    /** @type {[Listed, Float64Array]} */
     let [all, T] = [answer, goal.T];
     isPartOnly = false;
-    if (all.solutions.length + all.families.length === 0 && chain.dof < 6 && session.target) {
+    const place = solvePlace(doc, chain, T);
+    isPlaceOnly = place !== null && place.solutions.length > all.solutions.length;
+    if (place && isPlaceOnly) all = place;
+    else if (all.solutions.length + all.families.length === 0 && chain.dof < 6 && session.target) {
       const met = aim(doc, chain, T);
       if (met.status === 'subspace') {
         T = tcpAt(doc.robot, chain, met.posture);
@@ -104,7 +111,10 @@ export function createSolutionsPanel(page, host, onCount) {
       }
     }
     const next = describeSolutions(doc.robot, chain, doc.posture, all);
-    found = isSame && found ? { ...next, solutions: inOrderOf(found.solutions, next.solutions, doc.robot) } : next;
+    // The arm that goes to another of these turns its tool, and what it goes on from is the same list.
+    const isSameList =
+      isSame || (isPlaceOnly && found !== null && isOneList(found.solutions, next.solutions, doc.robot));
+    found = isSameList && found ? { ...next, solutions: inOrderOf(found.solutions, next.solutions, doc.robot) } : next;
     families.show(doc.robot, chain, T, found.families, isSame);
     const total = found.solutions.length;
     onCount(total, found.solutions.filter(({ withinLimits }) => withinLimits).length, found.families.length);
@@ -117,7 +127,7 @@ export function createSolutionsPanel(page, host, onCount) {
     const chain = derived.chain(store.state.doc);
     const { solutions, complete } = found;
     const isNone = solutions.length + found.families.length === 0;
-    lead.textContent = isNone ? SOLUTIONS.none : isPartOnly ? SOLUTIONS.noneButOne : '';
+    lead.textContent = leadOf(isNone);
     lead.hidden = lead.textContent === '';
     const rows = solutions.map((solution, i) => ({
       solution,
@@ -141,6 +151,11 @@ export function createSolutionsPanel(page, host, onCount) {
     note.textContent = remarks.filter(Boolean).join(' ');
     note.hidden = note.textContent === '';
     drawCodes();
+  }
+
+  function leadOf(/** @type {boolean} */ isNone) {
+    if (isNone) return SOLUTIONS.none;
+    return isPlaceOnly ? SOLUTIONS.places : isPartOnly ? SOLUTIONS.noneButOne : '';
   }
 
   const options = () => /** @type {HTMLElement[]} */ ([...list.children]);

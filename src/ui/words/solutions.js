@@ -28,6 +28,7 @@ export const SOLUTIONS = {
   searched: 'Found by search: there may be more.',
   none: 'No posture takes the tool to this pose. The line above says what is in the way.',
   noneButOne: 'The arm meets a part of this pose only. These postures take the tool where that part is met:',
+  places: 'These postures bring the tool’s point to the place; how it is turned there follows from them.',
   searching: 'Looking for all postures…',
   stale: 'The list is made when the arm rests.',
   outside: (/** @type {string} */ joint, /** @type {string} */ by) => `${joint} +${by}`,

@@ -3,6 +3,7 @@
  * pose and pendant numbers that was published.
  */
 import { describe, expect, test } from 'vitest';
+import { createRandom } from '../../../src/kinematics/random.js';
 import { compilePosture, compileRobot } from '../../../src/model/compile.js';
 import { pendantValues } from '../../../src/model/controller/controllerValues.js';
 import { poseFromXyzwpr, xyzwprOf } from '../../../src/model/aim/aim.js';
@@ -12,7 +13,9 @@ import {
   configurationAt,
   describeSolutions,
   inOrderOf,
+  isOneList,
   solveAll,
+  solvePlace,
   travelBetween,
 } from '../../../src/model/aim/solutions.js';
 import { oracleForward } from '../kinematics/oracle.js';
@@ -39,6 +42,52 @@ function solved(robot, posture) {
 }
 
 const HERE = [-32, 58, -168, 24, 52, -18];
+
+describe('an arm with too few joints to turn its tool', () => {
+  // textbook counts: an elbow either way, and a shoulder in front or behind
+  const COUNTS = {
+    planar2r: 2,
+    planar_rp: 2,
+    planar_pr: 2,
+    cyl_rpp: 2,
+    cart_ppp: 1,
+    anthropomorphic_3r: 4,
+    polar_rrp: 4,
+  };
+
+  test.each(Object.entries(COUNTS))('%s has %i postures for a place', (id, count) => {
+    const robot = LIBRARY[id];
+    const chain = compileRobot(robot);
+    const random = createRandom(12);
+    for (let tries = 0; tries < 10; tries++) {
+      const posture = robot.joints.map(
+        ({ lower = -180, upper = 180 }) => lower + (upper - lower) * (0.05 + 0.9 * random()),
+      );
+      const wanted = tcp(robot, posture);
+      // turned as it never is: only the place counts
+      const T = Float64Array.from([0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, wanted[0][3], wanted[1][3], wanted[2][3], 1]);
+      const doc = { ...newDocument(robot), posture };
+      const listed = solvePlace(doc, chain, T);
+      if (!listed) throw new Error('There is no list.');
+      const { solutions } = describeSolutions(robot, chain, posture, listed);
+      expect(solutions).toHaveLength(count);
+      for (const { posture: q } of solutions) {
+        const { tcp: now } = oracleForward(chain, compilePosture(robot, q));
+        for (const k of [0, 1, 2]) expect(now[k][3]).toBeCloseTo(wanted[k][3], 8);
+      }
+      posture.forEach((value, i) => expect(solutions[0].posture[i]).toBeCloseTo(value, 5));
+      expect(isOneList(solutions, [...solutions].reverse(), robot)).toBe(true);
+      if (count > 1) expect(isOneList(solutions, [...solutions.slice(1), solutions[1]], robot)).toBe(false);
+    }
+  });
+
+  test('has none beyond its reach; and an arm that can turn its tool has no such list', () => {
+    const far = Float64Array.from([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 0, 0, 1]);
+    const listOf = (/** @type {string} */ id) => solvePlace(newDocument(LIBRARY[id]), compileRobot(LIBRARY[id]), far);
+    expect(listOf('planar2r')?.solutions).toEqual([]);
+    for (const id of ['planar3r', 'scara_cobra600', 'puma560']) expect(listOf(id)).toBeNull();
+  });
+});
 
 describe('solutions of the Puma 560', () => {
   const { found } = solved(LIBRARY.puma560, HERE);

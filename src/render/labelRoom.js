@@ -79,3 +79,22 @@ export function inside(box, width, height) {
     Math.max(margin, Math.min(room - size - margin, at));
   return { ...box, left: least(box.left, box.width, width), top: least(box.top, box.height, height) };
 }
+
+/**
+ * The end of a line, or where the line leaves the picture.
+ * @param {number} x0  where it begins, inside
+ * @param {number} y0
+ * @param {number} x
+ * @param {number} y
+ * @param {number} width
+ * @param {number} height
+ * @returns {[number, number]}
+ */
+export function withinPicture(x0, y0, x, y, width, height) {
+  const share = (/** @type {number} */ from, /** @type {number} */ to, /** @type {number} */ room) => {
+    const most = to > room ? (room - from) / (to - from) : to < 0 ? from / (from - to) : 1;
+    return Math.min(1, Math.max(0, most));
+  };
+  const all = Math.min(share(x0, x, width), share(y0, y, height));
+  return [x0 + all * (x - x0), y0 + all * (y - y0)];
+}

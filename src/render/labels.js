@@ -6,7 +6,7 @@
  * @import { Camera, Object3D } from 'three'
  */
 import { Vector3 } from 'three';
-import { inside, roomFor } from './labelRoom.js';
+import { inside, roomFor, withinPicture } from './labelRoom.js';
 
 const SAME_PLACE = 48; // pixels
 
@@ -22,7 +22,7 @@ const SAME_PLACE = 48; // pixels
  * @property {boolean} aside          not beyond `at` but beside it, on the upper side
  * @property {boolean} visible
  * @property {boolean} yields         it may go farther out or aside, not to lie on another
- * @property {boolean} stays          inside the picture, if `at` is
+ * @property {boolean} stays          inside the picture; beside a line that leaves it, where the line does
  * @property {(text: string | LabelText) => void} write
  * @property {() => void} remove
  */
@@ -103,14 +103,16 @@ export function createLabels(host) {
       for (const [, tag] of seen) {
         if (tag.width === 0) [tag.width, tag.height] = [tag.element.offsetWidth, tag.element.offsetHeight];
       }
-      const places = seen.map(([{ at, parent, from, gap, aside, yields }, size]) => {
+      const places = seen.map(([{ at, parent, from, gap, aside, yields, stays }, size]) => {
         project(at, parent, camera, point);
-        const x = ((point.x + 1) / 2) * width;
-        const y = ((1 - point.y) / 2) * height;
+        let x = ((point.x + 1) / 2) * width;
+        let y = ((1 - point.y) / 2) * height;
         let [east, south] = [0, 0];
         if (from) {
           project(from, parent, camera, away);
-          const [dx, dy] = [x - ((away.x + 1) / 2) * width, y - ((1 - away.y) / 2) * height];
+          const [fromX, fromY] = [((away.x + 1) / 2) * width, ((1 - away.y) / 2) * height];
+          if (aside && stays) [x, y] = withinPicture(fromX, fromY, x, y, width, height);
+          const [dx, dy] = [x - fromX, y - fromY];
           const distance = Math.hypot(dx, dy) || 1;
           [east, south] = aside ? [dy / distance, -Math.abs(dx) / distance] : [dx / distance, dy / distance];
           if (aside && dx < 0) east = -east;

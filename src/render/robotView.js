@@ -19,9 +19,11 @@
  * @property {Derived} derived
  * @property {Clock} clock
  */
+import { tcpPose } from '../kinematics/forward.js';
 import { isAtAnswer, poseFromXyzwpr } from '../model/aim/aim.js';
 import { compileLinkStyles, compilePose, compilePosture } from '../model/compile.js';
 import { targetPose } from '../model/frames/frames.js';
+import { nearestShown } from '../model/aim/nearestShown.js';
 import { lostWanted } from '../model/aim/lostShown.js';
 import { memo } from '../model/memo.js';
 import { isRowField, motionAt } from '../model/robot/rowMotions.js';
@@ -38,7 +40,7 @@ const SMALL = 450;
 /**
  * @param {State} state
  * @param {Omit<StageOptions, 'clock'> & {
- *   text: StageOptions['text'] & { lost: { along: string, about: string }, trace: { start: string }, dimension: (joint: number, field: DhField) => LabelText },
+ *   text: StageOptions['text'] & { nearest: string, lost: { along: string, about: string }, trace: { start: string }, dimension: (joint: number, field: DhField) => LabelText },
  *   onError: (error: unknown) => void,
  * }} options
  * @returns the stage; null without WebGL
@@ -80,11 +82,18 @@ export function createRobotView({ store, addView, derived, clock }, options) {
     },
   );
   addView(
-    together(({ doc, session }) => [doc.robot, session.target, doc.posture, session.answer]),
-    ([robot, target, posture, answer]) => {
-      // What is missing is drawn where the arm has gone as near as it can, not where it merely stands.
+    together((state) => [
+      state.doc.robot,
+      state.session.target,
+      state.doc.posture,
+      state.session.answer,
+      nearestShown(state),
+    ]),
+    ([robot, target, posture, answer, nearest]) => {
+      // What is missing is drawn from where the arm is as near as it can be: where it stands, or where its ghost does.
       const isAtNearest = answer !== null && !answer.isMet && isAtAnswer(answer, posture);
-      stage.showTarget(target && poseFromXyzwpr(robot, target), { reached: !isAtNearest });
+      const from = nearest && tcpPose(derived.chain(store.state.doc), compilePosture(robot, nearest));
+      stage.showTarget(target && poseFromXyzwpr(robot, target), { reached: !isAtNearest && !from, from });
     },
   );
   addView(({ session }) => session.projection, stage.project);
@@ -152,11 +161,15 @@ export function createRobotView({ store, addView, derived, clock }, options) {
 
   const withGhosts = whenWanted(async () => (await import('./marks/ghostArms.js')).createGhostArms);
   addView(
-    together(({ doc, session }) => [doc.robot, session.ghost]),
-    ([robot, ghost]) =>
-      withGhosts(ghost !== null, (ghosts) =>
-        ghosts.want(ghost ? [{ q: compilePosture(robot, ghost.posture), label: ghost.label }] : []),
-      ),
+    together((state) => [state.doc.robot, state.session.ghost, nearestShown(state)]),
+    ([robot, ghost, nearest]) => {
+      const wanted = [ghost, nearest && { posture: nearest, label: options.text.nearest }].filter(
+        (one) => one !== null,
+      );
+      withGhosts(wanted.length > 0, (ghosts) =>
+        ghosts.want(wanted.map(({ posture, label }) => ({ q: compilePosture(robot, posture), label }))),
+      );
+    },
   );
   const withTargets = whenWanted(async () => (await import('./marks/targetFrames.js')).createTargetFrames);
   addView(

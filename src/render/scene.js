@@ -157,10 +157,11 @@ export function createScene({ skin, isLow, labels, text, onChange, onGridStep })
 
     /**
      * @param {ArrayLike<number> | null} T_base_target
-     * @param {{ reached: boolean }} state  with `reached`, nothing is said to be missing
+     * @param {{ reached: boolean, from?: Pose | null }} state  with `reached`, nothing is said to be missing; `from`: what is
+     *   missing is so from there, and else from where the tool is
      */
-    showTarget(T_base_target, { reached }) {
-      const target = T_base_target && { T_base_target: Float64Array.from(T_base_target), reached };
+    showTarget(T_base_target, { reached, from = null }) {
+      const target = T_base_target && { T_base_target: Float64Array.from(T_base_target), reached, from };
       if (marks.aim(target)) onChange({ castsAnew: false });
     },
 

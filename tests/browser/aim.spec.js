@@ -16,7 +16,13 @@ test('a target out of reach says by how much, leaves the arm, and offers the nea
   await aimAt(page, { X: 3000 });
   await expect(page.locator('.verdict-line')).toContainText('Out of reach, by at least');
   expect(await tool(page)).toEqual(place);
+  // drawn before it is done: the arm as near as it can be, and what is missing then
+  await expect(page.locator('.tag.ghost')).toHaveText('as near as found');
+  await expect(page.locator('.tag.miss')).toHaveText(/^\d+\.\d\d mm$/);
+  const short = await page.locator('.tag.miss').textContent();
   await page.getByRole('button', { name: 'Go as near as found' }).click();
+  await expect(page.locator('.tag.ghost')).toHaveCount(0);
+  await expect(page.locator('.tag.miss').filter({ hasText: 'mm' })).toHaveText(short ?? '');
   expect((await tool(page))[0]).toBeGreaterThan(0.8);
   await expect(page.locator('.tag.miss').filter({ hasText: 'mm' })).toBeVisible();
   await expect(page.locator('.lost-line')).toContainText('Lost here: moving along X 1.00');

@@ -85,3 +85,6 @@ export const pointInWorld = (T_world_from, point) => {
   const T = T_world_from;
   return T ? [0, 1, 2].map((i) => T[i] * point[0] + T[4 + i] * point[1] + T[8 + i] * point[2] + T[12 + i]) : point;
 };
+
+/** A right angle comes out of sines and cosines with a rounding error, which nobody has asked for. @param {number} value  in document units */
+export const tidy = (value) => Number(value.toFixed(10)) + 0; // + 0: no minus zero

@@ -33,7 +33,7 @@
  * @property {(eye: Eye) => void} [face]  before a picture is taken, for what has its size on the screen
  *
  * @typedef {GaugeText & { missing: (metres: number) => string }} MarkText
- * @typedef {{ T_base_target: Pose, reached: boolean }} Target
+ * @typedef {{ T_base_target: Pose, reached: boolean, from: Pose | null }} Target
  */
 import { createGauge } from './gauge.js';
 import { createWantedPose } from './wantedPose.js';
@@ -93,7 +93,7 @@ export function createMarks({ scene, linkGroup, skin, labels, text }) {
   function follow() {
     if (!arm) return;
     if (held !== null) gauge?.show(arm.posture[held]);
-    targetMark?.measureFrom(arm.T_base_tcp, arm.parts.size);
+    targetMark?.measureFrom(target?.from ?? arm.T_base_tcp, arm.parts.size);
   }
 
   return {

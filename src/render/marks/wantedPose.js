@@ -25,7 +25,7 @@ export function createWantedPose({ skin, labels, missing, arrow, gap, order, lea
   const group = new Group();
   const triad = createTriad({ skin, labels, width: 2, letters: 'strong', letterCase: 'upper', gap: 3, order });
   const way = movableLine({ color: skin.bad, width: 2.5, dash: 1, order: 44 });
-  const words = Object.assign(labels.add('miss'), { from: new Vector3(), gap, aside: true });
+  const words = Object.assign(labels.add('miss'), { from: new Vector3(), gap, aside: true, stays: true });
   group.add(triad.group, way);
   /** @type {ArrayLike<number> | null} */
   let T = null;

@@ -7,7 +7,7 @@
  */
 import { poseFromXyzwpr, xyzwprOf } from '../../model/aim/aim.js';
 import { targetPose } from '../../model/frames/frames.js';
-import { lookingAt, pointInWorld, toolDown, turnedAs } from '../../model/aim/targetHelpers.js';
+import { lookingAt, pointInWorld, tidy, toolDown, turnedAs } from '../../model/aim/targetHelpers.js';
 import { toKernel } from '../../model/units.js';
 import { textInput } from '../parts/captioned.js';
 import { fill, h } from '../parts/dom.js';
@@ -32,7 +32,7 @@ export function createTargetHelp({ store, derived, announce }, fields) {
    */
   function aimAt(T, what, done) {
     const now = fields.target(store.state);
-    const next = xyzwprOf(robot(), T);
+    const next = xyzwprOf(robot(), T).map(tidy);
     const target = what === 'turn' ? [...now.slice(0, 3), ...next.slice(3)] : [...next.slice(0, 3), ...now.slice(3)];
     store.dispatch({ type: 'show', change: { target, answer: null } });
     announce(done);

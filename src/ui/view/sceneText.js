@@ -49,6 +49,7 @@ export function createSceneText({ store }) {
     },
 
     lost: TEXT.drag.lost,
+    nearest: TEXT.drag.nearest,
     trace: { start: TEXT.view.traceStart },
 
     /** @param {number} metres */

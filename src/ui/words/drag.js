@@ -8,5 +8,6 @@ export const DRAG = {
   snap: (/** @type {string} */ length, /** @type {string} */ angle) => `Snap ${length} · ${angle}`,
   snapTitle: 'Move and turn in whole steps; Shift while dragging does the other',
   /** In the scene, on a double arrow and on a ring. */
+  nearest: 'as near as found',
   lost: { along: 'no motion this way', about: 'no turn about this' },
 };

@@ -2,6 +2,7 @@
 import { describe, expect, test } from 'vitest';
 import { createChain } from '../../../src/kinematics/chain.js';
 import { lostDirectionAt } from '../../../src/model/aim/lostDirection.js';
+import { nearestShown } from '../../../src/model/aim/nearestShown.js';
 import { lostWanted } from '../../../src/model/aim/lostShown.js';
 import { lostInWords } from '../../../src/ui/view/lostWords.js';
 
@@ -74,4 +75,24 @@ test('it is looked for where a singularity is in the way, and at the nearest pos
   expect(lostWanted(state({ jogEnd: { why: 'reach', posture } }))).toBe('near');
   expect(lostWanted(state({ jogEnd: { why: 'limit', joint: 1, posture } }))).toBeNull();
   expect(lostWanted(state({ jogEnd: { why: 'singularity', posture: [1, 3] } }))).toBeNull();
+});
+
+test('the nearest posture of a target that is not met is shown until the arm is there, or has something else to do', () => {
+  const state = (/** @type {object} */ session) =>
+    /** @type {Parameters<typeof nearestShown>[0]} */ (
+      /** @type {unknown} */ ({
+        doc: { posture: [1, 2] },
+        session: { drag: null, answer: null, target: [0], ...session },
+      })
+    );
+  const answer = { isMet: false, posture: [1, 3] };
+  expect(nearestShown(state({ answer }))).toEqual([1, 3]);
+  for (const other of [
+    {},
+    { answer: { ...answer, isMet: true } },
+    { answer: { ...answer, posture: [1, 2] } },
+    { answer, drag: { hindrance: null } },
+    { answer, target: null },
+  ])
+    expect(nearestShown(state(other))).toBeNull();
 });

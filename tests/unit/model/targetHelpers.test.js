@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { poseFromXyzwpr } from '../../../src/model/aim/aim.js';
 import { LIBRARY } from '../../../src/model/library.js';
-import { lookingAt, pointInWorld, toolDown, turnedAs } from '../../../src/model/aim/targetHelpers.js';
+import { lookingAt, pointInWorld, tidy, toolDown, turnedAs } from '../../../src/model/aim/targetHelpers.js';
 
 const T = poseFromXyzwpr(LIBRARY.puma560, [400, -100, 700, 30, -50, 110]);
 const column = (/** @type {Float64Array} */ M, /** @type {number} */ k) => [...M.subarray(4 * k, 4 * k + 3)];
@@ -49,4 +49,8 @@ test('a point of a user frame is looked at where it stands in the world', () => 
   // and in a frame that is turned about all three axes, as its own columns say
   const sum = [0, 1, 2].map((k) => T[k] * 0.3 + T[4 + k] * 0.1 + T[8 + k] * 0.02 + T[12 + k]);
   pointInWorld(T, [0.3, 0.1, 0.02]).forEach((value, k) => expect(value).toBeCloseTo(sum[k], 15));
+});
+
+test('what rounding left of a right angle is not a number to read', () => {
+  expect([-1.3e-13, 90.00000000000001, -0, 12.3456789].map(tidy)).toEqual([0, 90, 0, 12.3456789]);
 });

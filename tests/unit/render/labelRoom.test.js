@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { expect, test } from 'vitest';
-import { inside, overlap, roomFor } from '../../../src/render/labelRoom.js';
+import { inside, overlap, roomFor, withinPicture } from '../../../src/render/labelRoom.js';
 import { SEED, runs } from '../../helpers/property.js';
 
 const within = (/** @type {number} */ least, /** @type {number} */ most) =>
@@ -41,4 +41,18 @@ test('words about a point without a direction are in its middle, and are kept in
   const [box] = roomFor([{ x: 2, y: 300, east: 0, south: 0, gap: 9, width: 80, height: 20, yields: false }]);
   expect(box).toEqual({ left: -38, top: 290, width: 80, height: 20 });
   expect(inside(box, 400, 300)).toEqual({ left: 6, top: 274, width: 80, height: 20 });
+});
+
+test('a line that leaves the picture ends at its edge, still on the line', () => {
+  expect(withinPicture(100, 100, 300, 150, 400, 300)).toEqual([300, 150]);
+  expect(withinPicture(100, 100, 700, 160, 400, 300)).toEqual([400, 130]);
+  expect(withinPicture(100, 100, -100, 100, 400, 300)).toEqual([0, 100]);
+  fc.assert(
+    fc.property(within(1, 399), within(1, 299), within(-900, 900), within(-900, 900), (x0, y0, x, y) => {
+      const [px, py] = withinPicture(x0, y0, x, y, 400, 300);
+      expect(Math.abs((px - x0) * (y - y0) - (py - y0) * (x - x0))).toBeLessThan(1e-6);
+      for (const [value, most] of [[px, 400], [py, 300]]) expect(value >= -1e-9 && value <= most + 1e-9).toBe(true); // prettier-ignore
+    }),
+    { seed: SEED, numRuns: runs(100) },
+  );
 });

@@ -46,12 +46,34 @@ const farthest = (one, other) =>
 
 const NAMES = ['X', 'Y', 'Z', 'Turn about X', 'Turn about Y', 'Turn about Z'];
 
+/** Roll, pitch and yaw of the frames that are jogged in, degrees. */
+const ROBOT_BASE = [20, 10, -35];
+const FIXTURE = [25, -40, 70];
+
+/** Rz(yaw) Ry(pitch) Rx(roll), a turn after the other. @param {readonly number[]} angles @returns {Rows} */
+function axesOf([roll, pitch, yaw]) {
+  const turns = [[[0, 0, 1], yaw], [[0, 1, 0], pitch], [[1, 0, 0], roll]].map(([axis, angle]) => turnAbout(/** @type {number[]} */ (axis), (Number(angle) / 180) * Math.PI)); // prettier-ignore
+  return turns.reduce((A, B) => A.map((row) => row.map((_, j) => row.reduce((sum, factor, k) => sum + factor * B[k][j], 0)))); // prettier-ignore
+}
+
 test('each button takes the tool along or about its axis, in each frame, by the step that was chosen', async ({
   page,
 }) => {
   await open(page, 'q=10,20,-150,30,50,20');
+  // on a base that leans, and with a fixture before it: no two frames have an axis in common
+  await page.evaluate(
+    async ([base, fixture]) => {
+      const frames = `<base xyz="100 50 0" rpy="${base.join(' ')}"/><frames activeUser="fixture"><userFrame id="fixture" xyz="300 -200 80" rpy="${fixture.join(' ')}"/></frames>`;
+      const posture = window.denavit.joints();
+      await window.denavit.load(window.denavit.xml().replace('<chain>', `${frames}<chain>`));
+      window.denavit.setJoints(posture);
+    },
+    [ROBOT_BASE, FIXTURE],
+  );
   await openPendant(page);
-  for (const frame of ['World', 'Base', 'Tool']) {
+  /** @type {Record<string, Rows | null>} the frame's axes, as columns; the tool's go along with it */
+  const frames = { World: axesOf([0, 0, 0]), Base: axesOf(ROBOT_BASE), User: axesOf(FIXTURE), Tool: null };
+  for (const [frame, axes] of Object.entries(frames)) {
     // As a voice or a screen reader presses them; the pointer's hold is the next test.
     const presses = await page.evaluate((text) => {
       const press = (/** @type {Element | undefined} */ element) => element instanceof HTMLElement && element.click();
@@ -65,17 +87,24 @@ test('each button takes the tool along or about its axis, in each frame, by the 
     expect(presses).toHaveLength(12);
     for (const { label, before, after } of presses) {
       const axis = NAMES.findIndex((name) => label.startsWith(`${name},`));
-      const direction = [0, 1, 2].map((i) => (frame === 'Tool' ? before[i][axis % 3] : Number(i === axis % 3)));
+      const direction = [0, 1, 2].map((i) => (axes ?? before)[i][axis % 3]);
       const amount = (label.endsWith('plus') ? 1 : -1) * (axis < 3 ? 0.01 : (5 / 180) * Math.PI);
-      expect(farthest(after, jogged(before, direction, axis > 2, amount))).toBeLessThan(1e-7);
+      expect(farthest(after, jogged(before, direction, axis > 2, amount)), `${frame}: ${label}`).toBeLessThan(1e-7);
     }
   }
+  // and with a hand on the button, in the user frame
+  await button(page, 'User').click();
+  const before = await pose(page);
+  await button(page, 'Turn about Y, minus').click();
+  const direction = axesOf(FIXTURE).map((row) => row[1]);
+  expect(farthest(await pose(page), jogged(before, direction, true, (-5 / 180) * Math.PI))).toBeLessThan(1e-7);
   await expectAccessible(page, { within: '.jog-panel' });
 });
 
 test('what is held moves by the clock until it is let go, is one step to undo, and has its curves; a singularity ends it', async ({
   page,
 }) => {
+  await page.setViewportSize({ width: 1000, height: 420 }); // hundreds of pictures, drawn in software: small ones
   await page.goto('./?quality=low&theme=light&hint=off&clock=manual&panels=jog,pose');
   const ticks = (/** @type {number} */ count, seconds = 1 / 50) =>
     page.evaluate(
@@ -99,9 +128,9 @@ test('what is held moves by the clock until it is let go, is one step to undo, a
   await button(page, 'Z, minus').hover();
   await page.mouse.down();
   const plot = () => curves.locator('canvas').first().evaluate((canvas) => /** @type {HTMLCanvasElement} */ (canvas).toDataURL()); // prettier-ignore
-  await ticks(25);
+  await ticks(5, 1 / 10);
   const rolling = await plot();
-  await ticks(25); // a second at half of 250 mm/s
+  await ticks(5, 1 / 10); // a second at half of 250 mm/s
   const there = await pose(page);
   expect(there[2][3] - start[2][3]).toBeCloseTo(-0.125, 6);
   await expect(curve('Speed')).toHaveText(['125.0 mm/s', '125.0 mm/s', '125.0 mm/s']);
@@ -129,7 +158,7 @@ test('what is held moves by the clock until it is let go, is one step to undo, a
     await stop();
     const stopped = await pose(page);
     expect(stopped).not.toEqual(start);
-    await ticks(20);
+    await ticks(5);
     expect(await pose(page)).toEqual(stopped);
     await page.mouse.up();
     await page.keyboard.press('Control+z');
@@ -137,9 +166,53 @@ test('what is held moves by the clock until it is let go, is one step to undo, a
   }
 
   await page.mouse.down();
-  await ticks(60, 1 / 10);
-  await expect(page.locator('.jog-word')).toContainText('Stopped: J');
+  await expect.poll(async () => (await ticks(5, 1 / 10), page.locator('.jog-word').textContent()), { intervals: [10] }).toContain('Stopped: J'); // prettier-ignore
   await page.mouse.up();
+
+  // It runs into singularities from outside: past a wrist that is almost straight it slows down, and an elbow that gets
+  // straight is the end; no joint goes faster than it may in any frame.
+  await page.locator('#fold-motion').click(); // what is drawn of it takes time
+  const RATE = 180;
+  /** Holds a button until the arm stops. @param {number[]} from @param {string} name */
+  async function runInto(from, name) {
+    await page.evaluate((q) => window.denavit.setJoints(q), from);
+    await button(page, 'World').click();
+    await button(page, name).hover();
+    await page.mouse.down();
+    const ran = await page.evaluate(
+      ([most, dt]) => {
+        const { clock, joints } = window.denavit;
+        /** @type {string[]} */
+        const said = [];
+        let fastest = 0;
+        for (let frame = 0, last = joints(); frame < 400 && !said.at(-1)?.startsWith('Stopped'); frame++) {
+          clock?.tick(dt);
+          const now = joints();
+          fastest = Math.max(fastest, ...now.map((value, i) => Math.abs(value - last[i]) / dt));
+          last = now;
+          const word = document.querySelector('.jog-word')?.textContent ?? '';
+          if (word !== '' && word !== said.at(-1)) said.push(word);
+        }
+        return { said, isTooFast: fastest > most * (1 + 1e-9) };
+      },
+      [RATE, 1 / 20],
+    );
+    await expect.poll(async () => (await ticks(2), page.locator('.lost-line').textContent())).toMatch(/^Lost here: moving along X 0\.\d\d/); // prettier-ignore
+    await page.mouse.up();
+    await button(page, name.replace('plus', 'minus')).hover(); // and back it comes, on the same elbow
+    await page.mouse.down();
+    await ticks(10);
+    await page.mouse.up();
+    const elbow = (await joints(page))[2];
+    expect(ran.isTooFast).toBe(false);
+    return { said: ran.said, elbow };
+  }
+  const out = await runInto([0, 45, -150, 0, 45, 0], 'X, plus');
+  expect(out.said.at(-1)).toBe('Stopped: the edge of the tool’s reach.');
+  expect(out.elbow).toBeLessThan(-87.4); // -150° at first; straight at -87.3°
+  const past = await runInto([0, 45, -180, 30, 6, 0], 'Y, plus');
+  expect(past.said[0]).toContain('Slowed down: near a singularity');
+  expect(past.said.at(-1)).toBe('Stopped: the edge of the tool’s reach.');
 
   // Axes 4 and 6 are in line: the tool cannot turn about its own X, and the button that is still down moves nothing.
   await page.evaluate(() => window.denavit.setJoints([0, 45, -180, 0, 0, 0]));

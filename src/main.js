@@ -149,7 +149,7 @@ function stand(robot, isOther, link) {
     ({ tab }) => tab === 'program',
     async () => {
       const { createProgramPanel } = await import('./ui/program/programPanel.js');
-      return (host) => createProgramPanel(page, host, files);
+      return (host) => createProgramPanel(page, host, files, cells);
     },
   );
   lazyPanel(
@@ -178,7 +178,7 @@ function stand(robot, isOther, link) {
         import('./ui/program/timeline.js'),
         import('./render/programView.js'),
       ]);
-      const { text } = createTimeline(page, shell.time, shell.view);
+      const { text } = createTimeline(page, shell.time, shell.view, cells);
       if (stage) createProgramView(page, stage, text);
     },
   );

@@ -17,6 +17,7 @@
  * @import { Recording } from './program/recording.js'
  * @import { Taught } from './frames/threePoints.js'
  * @import { ToolKeeps } from './frames/toolChange.js'
+ * @import { ProgramCheck } from './workcell/checked.js'
  * @import { WorkcellView } from './workcell/workcellView.js'
  *
  * @typedef {'robot' | 'program' | 'code' | 'jacobian'} Tab
@@ -64,6 +65,7 @@
  * @property {Recording} recording  what "Record here" makes of the posture
  * @property {Planning | null} planning  the program in time, or on its way there
  * @property {WorkcellView} workcell  how obstacles and clearances are looked at
+ * @property {ProgramCheck | null} check  whether the program keeps clear of obstacles, or on its way there
  * @property {number} edition   counts how often the document was exchanged for another (opened, undone), not edited
  *
  * @typedef {History & { readonly session: Session }} AppState
@@ -119,6 +121,7 @@ const FRESH = {
   recording: FIRST_RECORDING,
   planning: null,
   workcell: FIRST_WORKCELL,
+  check: null,
   edition: 0,
 };
 
@@ -202,7 +205,7 @@ function settle(state, history, next) {
 const unplayed = (state, before) => {
   if (state === before) return before;
   const workcell = withoutObstacles(state.session.workcell);
-  return { ...state, session: { ...state.session, playback: null, planning: null, workcell } };
+  return { ...state, session: { ...state.session, playback: null, planning: null, check: null, workcell } };
 };
 
 /** @param {AppState} state @param {AppState} before @returns {AppState} */

@@ -88,6 +88,8 @@ export function createWorkcells(derived, automaticRadii) {
     closeness: (doc) => closenessOf(doc.robot, doc.obstacles, derived.chain(doc), derived.posture(doc)),
     /** The arm as it is looked at, where it stands now. @param {Doc} doc */
     capsules: (doc) => capsulesOf(bodiesOf(doc.robot, derived.chain(doc)), derived.posture(doc)),
+    /** What the kernel found, in the document's names and units. @param {Doc} doc @param {Nearest} near */
+    named: (doc, near) => named(doc, bodiesOf(doc.robot, derived.chain(doc)).stretches, near),
     /** How thick its links are taken to be, m. @param {Doc} doc */
     radii: (doc) => linkRadii(doc.robot, automaticRadii(derived.chain(doc))),
     /** As the check has them. @param {Doc} doc */

@@ -4,7 +4,8 @@
  * everything than that is free all along the piece; what is not is looked at in two halves, until a piece is too short to
  * tell from a touch.
  *
- * So "clear" is certain, and "not clear" means: somewhere on the way two bodies are nearer than the resolution.
+ * So "clear" is certain, and "not clear" means: somewhere on the way two bodies are nearer than the resolution. A margin is kept
+ * to obstacles alone: how near the arm's own links come to each other is how it is built.
  *
  * @import { PosturePath } from '../posturePath.js'
  * @import { Needs, Nearest, Workcell } from './workcell.js'
@@ -16,7 +17,7 @@
  * @property {(middle: number, half: number, reach: Float64Array) => void} writeReach  how far each joint goes from its value in the
  *   middle, at most, while λ is within half of it
  *
- * @typedef {{ resolution?: number, margin?: number }} TouchOptions  m; the margin is kept to everything besides
+ * @typedef {{ resolution?: number, margin?: number }} TouchOptions  m; the margin is kept to obstacles besides
  */
 import { TERMS } from '../posturePath.js';
 import { writeLevers } from './armBodies.js';
@@ -125,9 +126,48 @@ function touchOnCurve(cell, curve, { resolution = RESOLUTION, margin = 0 } = {})
     const most = writeNeeds(cell, margin);
     const near = tooNear(cell, posture, needs);
     if (near === null) continue;
-    if (near.distance <= margin || most <= resolution || middles.length > MOST_LOOKS)
-      return { ...near, share: middle, posture };
+    const isTouch = near.distance <= (near.obstacle === null ? 0 : margin);
+    if (isTouch || most <= resolution || middles.length > MOST_LOOKS) return { ...near, share: middle, posture };
     middles.push(middle - half / 2, middle + half / 2);
+  }
+  return null;
+}
+
+/**
+ * The first place on a path that is not clear, to the resolution: pieces are proven in their order, so all before it is.
+ * @param {Workcell} cell
+ * @param {PosturePath} path
+ * @param {TouchOptions} [options]
+ * @returns {(Touch & { s: number }) | null}  s: where, as the path counts; null: clear all along
+ */
+export function firstTouchOnPath(cell, path, options) {
+  const { knots } = path;
+  const [begin, end] = [knots[0], knots[knots.length - 1]];
+  for (let k = 0; k < knots.length - 1; k++) {
+    const touch = firstOnCurve(cell, pieceOf(path, k), options);
+    if (touch === null) continue;
+    const s = knots[k] + touch.share * (knots[k + 1] - knots[k]);
+    return { ...touch, s, share: end > begin ? (s - begin) / (end - begin) : 0 };
+  }
+  return null;
+}
+
+/** @param {Workcell} cell @param {Curve} curve @param {TouchOptions} [options] @returns {Touch | null} */
+function firstOnCurve(cell, curve, { resolution = RESOLUTION, margin = 0 } = {}) {
+  const { needs, reach } = cell.room;
+  const posture = new Float64Array(reach.length);
+  writeLeversOn(cell, curve, posture);
+  // what is still to be looked at, the nearest piece last
+  const pieces = [{ middle: 0.5, half: 0.5 }];
+  for (let looks = 0, piece = pieces.pop(); piece; looks++, piece = pieces.pop()) {
+    const { middle, half } = piece;
+    curve.writePosture(middle, posture);
+    curve.writeReach(middle, half, reach);
+    const most = writeNeeds(cell, margin);
+    const near = tooNear(cell, posture, needs);
+    if (near === null) continue;
+    if (most <= resolution || looks > MOST_LOOKS) return { ...near, share: middle, posture };
+    pieces.push({ middle: middle + half / 2, half: half / 2 }, { middle: middle - half / 2, half: half / 2 });
   }
   return null;
 }
@@ -161,7 +201,7 @@ function writeNeeds({ bodies, room: { levers, reach, needs } }, margin) {
     const { link, kind } = stretches[i];
     // a slide's own stretch grows with it, seen from the links beyond
     const isGrowing = kind === 'offset' && joints[link].type === 'prismatic';
-    needs.ofPair[k] = wayOf(levers, dof * j, reach, isGrowing ? link : link + 1, stretches[j].link) + margin;
+    needs.ofPair[k] = wayOf(levers, dof * j, reach, isGrowing ? link : link + 1, stretches[j].link);
   }
   return most;
 }

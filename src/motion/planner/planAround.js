@@ -20,13 +20,13 @@
  * @property {number} [seed]
  * @property {number} [iterations]  in all
  * @property {number} [ways]        so many are found, and the shortest is taken
- * @property {number} [margin]      m, kept to everything
+ * @property {number} [margin]      m, kept to obstacles
  */
 import { createRandom } from '../../kinematics/random.js';
 import { touchOnWay } from '../clearance/clearWay.js';
 import { connectTrees } from './connectTrees.js';
 import { jointSpace, lengthOf } from './jointSpace.js';
-import { shorten } from './shorten.js';
+import { shorten, withoutNeedless } from './shorten.js';
 
 /** A pair of trees that has not met by now is given up for a fresh one: rarely, luck was bad. */
 const PATIENCE = 2500;
@@ -69,7 +69,7 @@ export function* planAround(cell, from, to, { seed = 1, iterations = 10_000, way
     for (; !turn.done; turn = trees.next()) yield ++spent;
     k += turn.value === null && best === null ? 0 : 1;
     if (turn.value === null) continue;
-    const way = shorten(search, turn.value, CUTS);
+    const way = withoutNeedless(search, shorten(search, turn.value, CUTS));
     const length = lengthOf(space, way);
     if (best === null || length < best.length) best = { status: 'found', way, length, iterations: spent };
   }

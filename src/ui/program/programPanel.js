@@ -4,12 +4,12 @@
  * @import { Files } from '../files/files.js'
  * @import { Page } from '../page.js'
  * @import { StepAct } from './stepCard.js'
+ * @import { Workcells } from '../../model/workcell/workcell.js'
  * @import { MoveStep, PoseTarget } from '../../model/document.js'
  * @import { MotionCommand, NewStep } from '../../model/program/motionCommands.js'
  */
-import { memo } from '../../model/memo.js';
 import { isMove } from '../../model/program/motionProgram.js';
-import { motionMoves, postureAt } from '../../model/program/motionPlan.js';
+import { postureAt } from '../../model/program/motionPlan.js';
 import { poseHere, postureHere, recordedStep } from '../../model/program/newSteps.js';
 import { firstPlayback } from '../../model/program/player.js';
 import { planNow } from '../../model/program/planning.js';
@@ -30,8 +30,10 @@ import { createProgramName } from './programName.js';
 import { createStepTable } from './programTable.js';
 import { createReasons } from '../parts/reasons.js';
 import { createStepCard } from './stepCard.js';
+import { createStepFaults, stepTouchWords } from './stepFaults.js';
 import { emptyPicture } from './stepText.js';
 import { travelTo } from '../travel.js';
+import { whenFirst } from '../parts/whenFirst.js';
 import { PLAN_NOTES } from '../words/planNotes.js';
 import { POSTURES, PROGRAM } from '../words/program.js';
 
@@ -39,8 +41,9 @@ import { POSTURES, PROGRAM } from '../words/program.js';
  * @param {Page} page
  * @param {HTMLElement} host
  * @param {Files} files
+ * @param {() => Promise<Workcells>} cells
  */
-export function createProgramPanel(page, host, files) {
+export function createProgramPanel(page, host, files, cells) {
   const { store, addView, derived, announce, clock, messages } = page;
   const reasons = createReasons('step-reason');
   const against = h('p', { class: 'reason sm', role: 'note', hidden: true });
@@ -200,6 +203,7 @@ export function createProgramPanel(page, host, files) {
   });
   const card = createStepCard(page, reasons, carryOutOn);
   const name = createProgramName(page, reasons);
+  const stepFaults = createStepFaults();
   const recordFirst = h(
     'button',
     { type: 'button', class: 'btn btn-primary', 'data-action': 'record' },
@@ -235,37 +239,21 @@ export function createProgramPanel(page, host, files) {
   );
   if (store.state.doc.postures.length > 0) fold.set(true);
 
-  /** What cannot be a move is marked where it stands. Where the arm is decides nothing of it. */
-  const faultsOf = memo(
-    /** @param {unknown} _robot @param {unknown} _frames @param {unknown} _targets @param {unknown} programs @param {number} index */
-    (_robot, _frames, _targets, programs, index) => {
-      const { doc } = store.state;
-      const program = programs === doc.motionPrograms ? doc.motionPrograms[index] : undefined;
-      const { issues } = program ? motionMoves(doc, program) : { issues: [] };
-      return new Map(issues.map(({ step, message }) => [step, message]));
-    },
-  );
-
   addView(
-    together(({ doc, session }) => [
-      doc.robot,
-      doc.frames,
-      doc.targets,
-      doc.motionPrograms,
-      doc.postures,
-      session.step,
-      session.recording,
-      session.playback?.program,
+    together((state) => [
+      ...[state.doc.robot, state.doc.frames, state.doc.targets, state.doc.motionPrograms, state.doc.postures],
+      ...[state.session.step, state.session.recording, state.session.playback?.program],
+      ...[stepFaults(state), stepTouchWords(state)],
     ]),
     () => {
       const { doc } = store.state;
       const { program, index, step } = shownProgram(store.state);
       const isEmpty = program === null || program.steps.length === 0;
-      const faults = faultsOf(doc.robot, doc.frames, doc.targets, doc.motionPrograms, index);
+      const faults = stepFaults(store.state);
       head.draw();
       empty.hidden = !isEmpty;
       table.element.hidden = isEmpty;
-      if (program) table.draw(doc, index, step, faults);
+      if (program) table.draw(doc, index, step, faults, stepTouchWords(store.state));
       card.draw(doc, index, step);
       name.draw(program, index, step < 0 && !isEmpty);
       const [fault] = faults.values();
@@ -285,6 +273,14 @@ export function createProgramPanel(page, host, files) {
         list,
         said.map((text) => h('li', {}, text)),
       );
+    },
+  );
+  whenFirst(
+    page,
+    ({ doc }) => doc.obstacles.length > 0,
+    async () => {
+      const [{ createCheckPanel }, loaded] = await Promise.all([import('../workcell/checkPanel.js'), cells()]);
+      against.after(createCheckPanel(page, loaded, (index) => table.focus(index)));
     },
   );
   const issue = h('p', { class: 'reason sm', role: 'note', hidden: true });

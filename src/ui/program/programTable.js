@@ -21,6 +21,7 @@ import { editCell } from '../robot/cellEditor.js';
 import { fill, h, keepFocus, spoken } from '../parts/dom.js';
 import { compact, editable } from '../parts/format.js';
 import { textInput } from '../parts/captioned.js';
+import { icon } from '../parts/icons.js';
 import { hasNumber, endText, speedUnitInWords, speedUnitText, stepIcon, stepText } from './stepText.js';
 import { watchStepDrag } from './stepDrag.js';
 import { watchTableKeys } from '../robot/tableKeys.js';
@@ -105,8 +106,12 @@ export function createStepTable(page, reasons, acts) {
 
   return {
     element,
-    /** @param {Doc} doc @param {number} program @param {number} chosen @param {ReadonlyMap<number, string>} faults  of steps */
-    draw(doc, program, chosen, faults) {
+    /**
+     * @param {Doc} doc @param {number} program @param {number} chosen
+     * @param {ReadonlyMap<number, string>} faults   of steps that cannot be moves
+     * @param {ReadonlyMap<number, string>} touches  what steps come too near to
+     */
+    draw(doc, program, chosen, faults, touches) {
       shown = { doc, program };
       const { name, steps } = doc.motionPrograms[program];
       table.setAttribute('aria-label', PROGRAM.steps(name));
@@ -123,7 +128,8 @@ export function createStepTable(page, reasons, acts) {
         });
       }
       markRunning();
-      for (const [i, row] of rows.entries()) row.refresh(doc, steps[i], i === chosen, faults.get(i) ?? null);
+      for (const [i, row] of rows.entries())
+        row.refresh(doc, steps[i], i === chosen, faults.get(i) ?? null, touches.get(i) ?? null);
     },
     /** @param {number} index */
     focus: (index) => rows[index]?.name.focus(),
@@ -153,8 +159,8 @@ function createRow(page, reasons, first, index, now, program) {
     h('td', { class: 'step-speed' }, editor && h('span', { class: 'step-number' }, editor.input, unit)),
     end,
   );
-  /** @param {Doc} doc @param {StepDoc} step @param {boolean} isChosen @param {string | null} fault */
-  function refresh(doc, step, isChosen, fault) {
+  /** @param {Doc} doc @param {StepDoc} step @param {boolean} isChosen @param {string | null} fault @param {string | null} touch */
+  function refresh(doc, step, isChosen, fault, touch) {
     const { units } = doc.robot;
     const text = stepText(doc, step);
     const comment = 'comment' in step ? step.comment : undefined;
@@ -166,8 +172,9 @@ function createRow(page, reasons, first, index, now, program) {
       comment && !isNamed && [' ', h('span', { class: 'soft sm' }, comment)],
       step.disabled && spoken(`, ${PROGRAM.disabled}`),
       fault !== null && spoken(`, ${fault}`),
+      touch !== null && [h('span', { class: 'step-touch' }, icon('octagon'), ` ${touch}`)],
     );
-    name.title = [text, comment, fault].filter(Boolean).join('\n');
+    name.title = [text, comment, fault, touch].filter(Boolean).join('\n');
     if (isChosen) name.setAttribute('aria-current', 'true');
     else name.removeAttribute('aria-current');
     row.classList.toggle('is-chosen', isChosen);

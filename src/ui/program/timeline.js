@@ -5,6 +5,7 @@
  * @import { Page } from '../page.js'
  * @import { PlayerAction } from './timelineStrip.js'
  * @import { Planned, Planning } from '../../model/program/planned.js'
+ * @import { Workcells } from '../../model/workcell/workcell.js'
  */
 import '../css/timeline.css';
 import repeat from 'bootstrap-icons/icons/repeat.svg?raw';
@@ -22,6 +23,7 @@ import { createProgramPlanner } from './programPlanner.js';
 import { nameOfStep } from './programStepName.js';
 import { createRefusedButton } from './refusedMove.js';
 import { createTimelineStrip } from './timelineStrip.js';
+import { whenFirst } from '../parts/whenFirst.js';
 import { TIMELINE } from '../words/timeline.js';
 
 /** % */
@@ -33,9 +35,10 @@ const seconds = (/** @type {number} */ time) => fixed(time, 2);
  * @param {Page} page
  * @param {HTMLElement} host  its room, hidden until there is a program
  * @param {HTMLElement} view
+ * @param {() => Promise<Workcells>} cells
  * @returns the words that the scene needs
  */
-export function createTimeline(page, host, view) {
+export function createTimeline(page, host, view, cells) {
   const { store, addView, announce, messages } = page;
   const run = createPlayerRun(page);
   const planner = createProgramPlanner(page);
@@ -243,6 +246,11 @@ export function createTimeline(page, host, view) {
       loop.setAttribute('aria-pressed', String(isLoop));
       speed.value = String(Math.round(100 * share));
     },
+  );
+  whenFirst(
+    page,
+    ({ doc }) => doc.obstacles.length > 0,
+    async () => (await import('../workcell/timelineTouches.js')).createTimelineTouches(page, strip, await cells()),
   );
   return { text: { ghosts: TIMELINE.ghosts } };
 }

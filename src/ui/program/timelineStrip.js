@@ -7,6 +7,7 @@
  */
 import { movesInTime } from '../../model/program/player.js';
 import { fill, h } from '../parts/dom.js';
+import { icon } from '../parts/icons.js';
 import { TIMELINE } from '../words/timeline.js';
 
 /** s, and with Shift. */
@@ -30,11 +31,13 @@ const KEYS = {
  */
 export function createTimelineStrip({ scrub, act }) {
   const moves = h('div', { class: 'strip-moves', 'aria-hidden': 'true' });
+  const touches = h('div', { class: 'strip-touches', 'aria-hidden': 'true' });
   const head = h('div', { class: 'playhead' });
   const element = h(
     'div',
     { class: 'strip', role: 'slider', tabindex: 0, 'aria-label': TIMELINE.slider, 'aria-valuemin': 0 },
     moves,
+    touches,
     head,
   );
   /** @type {Stripped | null} */
@@ -100,6 +103,18 @@ export function createTimelineStrip({ scrub, act }) {
         }),
       );
       element.setAttribute('aria-valuemax', duration().toFixed(2));
+    },
+
+    /** Where steps first come too near to something. @param {readonly { time: number, title: string }[]} all */
+    setTouches(all) {
+      fill(
+        touches,
+        all.map(({ time: at, title }) => {
+          const mark = h('span', { class: 'strip-touch', title }, icon('octagon'));
+          mark.style.left = share(at);
+          return mark;
+        }),
+      );
     },
 
     /** @param {number} now @param {number | null} move  that is under way @param {string} text  the same in words */

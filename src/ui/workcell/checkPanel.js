@@ -1,0 +1,131 @@
+/**
+ * Below the steps of a program: whether it keeps clear, what the chosen step touches and where, and the way around it. Nothing
+ * of it is seen while there are no obstacles.
+ *
+ * @import { Page } from '../page.js'
+ * @import { StepTouch } from '../../model/workcell/checked.js'
+ * @import { Workcells } from '../../model/workcell/workcell.js'
+ */
+import { postureFromKernel } from '../../model/compile.js';
+import { shownProgram } from '../../model/program/shownProgram.js';
+import { checkNow } from '../../model/workcell/programCheck.js';
+import { marginNow } from '../../model/workcell/workcellView.js';
+import { together } from '../../model/views.js';
+import { fill, h } from '../parts/dom.js';
+import { fixed } from '../parts/format.js';
+import { icon } from '../parts/icons.js';
+import { COLLISIONS } from '../words/collisions.js';
+import { marginText, touchSentence } from './touchText.js';
+import { createWayFinder } from './wayFinder.js';
+
+/**
+ * @param {Page} page
+ * @param {Workcells} cells
+ * @param {(index: number) => void} choose   a step
+ */
+export function createCheckPanel(page, cells, choose) {
+  const { store, addView, derived, announce } = page;
+  const finder = createWayFinder(page, cells);
+  const state = h('p', { class: 'check-state sm' });
+  const touch = h('p', {});
+  const hint = h('p', { class: 'soft sm' }, COLLISIONS.onlyJoint);
+  const show = button(COLLISIONS.show, () => shown && showWhere(shown));
+  const around = button(COLLISIONS.around, () => shown && finder.find(shown.step));
+  around.prepend(icon('plus'));
+  const card = h(
+    'div',
+    { class: 'check-touch' },
+    h('div', { class: 'check-words' }, icon('exclamation'), touch),
+    h('div', { class: 'obstacle-acts' }, show, around),
+    hint,
+    finder.element,
+  );
+  const element = h('section', { class: 'check', 'aria-label': COLLISIONS.section, hidden: true }, state, card);
+  /** Of the chosen step. @type {StepTouch | null} */
+  let shown = null;
+
+  /** @param {string} text @param {() => void} run */
+  function button(text, run) {
+    const made = h('button', { type: 'button', class: 'btn btn-small btn-outline' }, text);
+    made.addEventListener('click', run);
+    return made;
+  }
+
+  const again = () => store.dispatch({ type: 'show', change: { check: null } });
+  function giveUp() {
+    const { check } = store.state.session;
+    if (check) store.dispatch({ type: 'show', change: { check: { ...check, progress: null } } });
+  }
+
+  /** The arm, there, as a ghost. @param {StepTouch} where */
+  function showWhere(where) {
+    const { doc } = store.state;
+    const posture = postureFromKernel(doc.robot, where.posture);
+    store.dispatch({ type: 'show', change: { ghost: { posture, label: COLLISIONS.ghost } } });
+    announce(touch.textContent ?? '');
+  }
+
+  /** @param {readonly StepTouch[]} touches */
+  const links = (touches) =>
+    touches.map(({ step }) => {
+      const link = button(String(step + 1), () => choose(step));
+      link.setAttribute('aria-label', COLLISIONS.toStep(step + 1));
+      return link;
+    });
+
+  /** Said once, when it is known. @type {unknown} */
+  let said = null;
+  addView(
+    together((now) => [
+      checkNow(now),
+      now.session.step,
+      now.session.workcell.margin,
+      now.doc.robot,
+      now.doc.motionPrograms,
+    ]),
+    ([check, , , { units }]) => {
+      const { doc, session } = store.state;
+      const { step: chosen, program } = shownProgram(store.state);
+      const margin = marginNow(session.workcell, derived.chain(doc));
+      element.hidden = check === null && !finder.isTelling;
+      shown = check?.touches?.find(({ step }) => step === chosen) ?? null;
+      card.hidden = shown === null && !finder.isTelling;
+      card.classList.toggle('is-near', shown !== null && !shown.isTouch);
+      card.classList.toggle('is-told', shown === null);
+      for (const part of [touch.parentElement, show]) if (part) part.hidden = shown === null;
+      around.hidden = shown === null || program?.steps[chosen]?.kind !== 'joint';
+      hint.hidden = shown === null || !around.hidden;
+      touch.textContent = shown ? touchSentence(shown, margin, units) : '';
+      state.classList.remove('is-clear', 'is-touching');
+      if (!check) fill(state);
+      else if (check.progress !== null) {
+        fill(state, COLLISIONS.checking(fixed(100 * check.progress, 0)), ' ', button(COLLISIONS.cancel, giveUp));
+      } else if (!check.touches) fill(state, COLLISIONS.given, ' ', button(COLLISIONS.again, again));
+      else if (check.touches.length === 0) {
+        state.classList.add('is-clear');
+        fill(
+          state,
+          icon('checkCircle'),
+          h('span', {}, COLLISIONS.clear(marginText(margin, units), doc.obstacles.length)),
+        );
+      } else {
+        state.classList.add('is-touching');
+        fill(state, icon('octagon'), h('span', {}, COLLISIONS.notClear), ...links(check.touches));
+      }
+      if (check?.touches && check.touches !== said) {
+        announce(
+          check.touches.length === 0
+            ? COLLISIONS.clearNow
+            : check.touches.map((one) => touchSentence(one, margin, units)).join(' '),
+        );
+        said = check.touches;
+      }
+    },
+  );
+  finder.onChange(() => {
+    card.hidden = shown === null && !finder.isTelling;
+    element.hidden = checkNow(store.state) === null && !finder.isTelling;
+    around.disabled = finder.isBusy;
+  });
+  return element;
+}

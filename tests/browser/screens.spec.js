@@ -1,6 +1,6 @@
 /** The page's manners that a look at every screen asked for: order of the keyboard, the left edge, the view in the address. */
 import { expect, test } from '@playwright/test';
-import { draws, open, settled } from './page.js';
+import { draws, open, settled, tool } from './page.js';
 
 test('the keyboard comes to the picture and the table at once, and each button shows that it has the focus', async ({
   page,
@@ -103,6 +103,37 @@ test('an arm that is pulled out of the picture comes back into it once the hand 
   expect(await isSeen()).toBe(false);
   await page.mouse.up();
   await expect.poll(isSeen).toBe(true);
+
+  // The same of a drag of the tool, and of a button that takes it far.
+  const toStart = async () => {
+    await page.evaluate(() => window.denavit.setJoints([30, 60]));
+    await page.getByRole('button', { name: 'Fit the arm into the view' }).click();
+    await settled(page);
+  };
+  await toStart();
+  const dot = await page.locator('.stage .tag.dot:visible').first().boundingBox();
+  const view = await page.locator('canvas').boundingBox();
+  if (!dot || !view) throw new Error('The tool is not in the picture.');
+  await page.mouse.move(dot.x + dot.width / 2, dot.y + dot.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(view.x + view.width + 150, dot.y + 300, { steps: 12 });
+  await expect.poll(isSeen).toBe(false);
+  await page.mouse.up();
+  await expect.poll(isSeen).toBe(true);
+  await toStart();
+  const jog = page.locator('.jog-panel');
+  await jog.getByRole('button', { name: 'Tool', exact: true }).click();
+  for (const [step, name] of [
+    ['600', 'Y, minus'],
+    ['900', 'X, plus'],
+  ]) {
+    await page.getByLabel('Step of the tool’s place, millimetres').fill(step);
+    await jog.getByRole('button', { name, exact: true }).click();
+  }
+  expect(await tool(page)).toEqual([expect.closeTo(1.766, 2), expect.closeTo(0.9, 2), 0]);
+  await expect.poll(isSeen).toBe(true);
+  await jog.getByRole('button', { name: 'Joints', exact: true }).click();
+
   await settled(page);
   await page.locator('canvas').focus();
   for (let times = 0; times < 6; times++) await page.keyboard.press('+'); // nearer, by hand
@@ -159,8 +190,21 @@ for (const [width, height] of [
       expect(box?.width, name).toBeGreaterThanOrEqual(360);
       expect(box?.width, name).toBeLessThanOrEqual(width);
     }
-    const view = await page.locator('canvas').boundingBox();
-    expect((view?.width ?? 0) * (view?.height ?? 0)).toBeGreaterThan(0.38 * width * height);
+    const viewHasRoom = async (/** @type {number} */ share) => {
+      const view = await page.locator('canvas').boundingBox();
+      expect((view?.width ?? 0) * (view?.height ?? 0)).toBeGreaterThan(share * width * height);
+    };
+    await viewHasRoom(0.38);
+    // With a program the timeline takes a row of its own, and nothing else moves from its place.
+    await dock.getByRole('button', { name: 'Program' }).click();
+    await page.getByRole('button', { name: 'Open an example' }).click();
+    await page.locator('.dropdown-menu.show button').first().click();
+    const time = page.locator('.time');
+    await expect(time).toBeVisible();
+    for (const part of [time, dock, page.locator('[data-room=program]')])
+      await expect(part).toBeInViewport({ ratio: 0.99 });
+    expect((await page.locator('[data-room=program]').boundingBox())?.width).toBeGreaterThanOrEqual(360);
+    await viewHasRoom(0.36);
   });
 }
 

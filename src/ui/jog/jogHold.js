@@ -47,6 +47,7 @@ export function watchJogKeys(keys, { isOpen, isMoving, press, stop }) {
     const button = buttonAt(event.target);
     if (!button || event.button !== 0 || !event.isPrimary) return;
     wasPressed = true;
+    button.focus({ preventScroll: true }); // a step that was being typed is taken first
     button.setPointerCapture(event.pointerId);
     begin(button, event.pointerId);
   });

@@ -8,6 +8,9 @@
 import { readNumber } from './numberText.js';
 import { TEXT } from '../strings.js';
 
+/** What a plain number is while it is being typed: a sign, a point, an exponent to come. */
+const BEGUN = /^[+\-−–]?(\d+\.?\d*|\.\d*)?([eE][+\-−–]?)?$/;
+
 /** @typedef {(text: string, measure: Measure) => Answer<number>} AnswerExpression */
 
 /** @typedef {(text: string, value: number, measure: Measure) => boolean} AgreesWith */
@@ -41,6 +44,7 @@ export function readTyped(text, measure) {
   const plain = readNumber(text);
   if (plain.reason === null || text.trim() === '') return plain;
   if (expressions) return expressions.answerExpression(text, measure);
+  if (BEGUN.test(text.trim())) return plain;
   if (hasFailed) {
     hasFailed = false;
     return { value: null, reason: TEXT.number.notLoaded };

@@ -13,6 +13,8 @@ import { PROGRAM } from '../words/program.js';
 const WIDEST_JOINT = 4;
 const WIDEST_PLACE = 4;
 const WIDEST_END = 5;
+/** What is smaller is the noise of rounding. */
+const DECIMALS = 6;
 
 /** What a step does, in the table. @param {Doc} doc @param {StepDoc} step @returns {string} */
 export function stepText(doc, step) {
@@ -48,7 +50,7 @@ export function stepText(doc, step) {
 export function targetText({ robot, postures }, target) {
   if (target.kind === 'target') return target.id;
   const numbers = (/** @type {readonly number[]} */ values, /** @type {number} */ widest) =>
-    values.map((value) => compact(Number(value.toPrecision(widest)), widest).text);
+    values.map((value) => compact(Number(Number(value.toFixed(DECIMALS)).toPrecision(widest)), widest).text);
   if (target.kind === 'pose') return numbers(target.xyz, WIDEST_PLACE).join(', ');
   const isHere = (/** @type {readonly number[]} */ q) => q.every((value, i) => value === target.values[i]);
   const named = postures.find(({ q }) => isHere(q));

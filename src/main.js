@@ -210,18 +210,20 @@ function stand(robot, isOther, link) {
     view.surround(stage);
     files.offerPicture(stage.picture);
     theme.onChange(stage.setTheme);
-    const { missing } = view.text;
     const userFrame = () => derived.user(store.state.doc);
+    const { missing } = view.text;
     whenFirst(
       page,
       ({ doc, session }) => doc.obstacles.length > 0 || session.workcell.isOpen || session.workcell.hasCapsules,
       async () => {
-        const [{ createWorkcellView }, { nearestLabel }] = await Promise.all([
+        const [{ createWorkcellView }, { createObstacleDrag }, { nearestLabel }] = await Promise.all([
           import('./render/workcellView.js'),
+          import('./render/drag/obstacleDrag.js'),
           import('./ui/workcell/closenessText.js'),
         ]);
         const text = (/** @type {Clearance} */ near) => nearestLabel(near, store.state.doc.robot.units);
-        createWorkcellView(page, stage, { cells: await cells(), text });
+        const { obstacleAt } = createWorkcellView(page, stage, { cells: await cells(), text });
+        createObstacleDrag(page, { stage, room: shell.view, missing, obstacleAt });
       },
     );
     dragWhenNear(page, { stage, room: shell.view, isWide, missing, userFrame, onError: messages.fault });

@@ -33,6 +33,25 @@ test('a box is put in the way: the move that touches it is marked, led around, p
     await body.getByLabel(field).fill(value);
     await body.getByLabel(field).press('Enter');
   }
+  // dragged by its handle in the picture: one step, and back
+  const middle = async (/** @type {string} */ selector) => {
+    const box = await page.locator(selector).boundingBox();
+    if (!box) throw new Error(`${selector} is not seen.`);
+    return [box.x + box.width / 2, box.y + box.height / 2];
+  };
+  const place = () => page.evaluate(() => /<box [^>]*xyz="([^"]*)"/.exec(window.denavit.xml())?.[1]);
+  await settled(page);
+  const [from, to] = [await middle('.tag.of-obstacle'), await middle('.stage .axis-z.of-handle:visible')];
+  const at = (/** @type {number} */ share) => from.map((value, k) => value + share * (to[k] - value));
+  await page.mouse.move(at(0.6)[0], at(0.6)[1]);
+  await page.mouse.down();
+  await page.mouse.move(at(1)[0], at(1)[1]);
+  await page.mouse.move(at(1.4)[0], at(1.4)[1]);
+  await page.mouse.up();
+  expect(await place()).toMatch(/^480 60 (?!400$)/);
+  await page.getByRole('button', { name: 'Undo: obstacle box_1 changed' }).click();
+  expect(await place()).toBe('480 60 400');
+
   await expect(body.locator('.clearance-line').first()).toContainText(/\d mm, link \d to box_1/);
   await expectAccessible(page, { within: '#fold-obstacles-body' });
 

@@ -34,7 +34,7 @@ export function createToolKeys({ store, derived }, { canvas, room, run, isWide, 
 
   /** @param {'move' | 'turn' | null} toolKeys @param {number | null} [across]  the plane to move in, where one was chosen */
   function take(toolKeys, across = null) {
-    const isHidden = toolKeys !== null && !isHandleShown(session(), isWide());
+    const isHidden = toolKeys !== null && !isHandleShown(store.state, isWide());
     const handle = { ...session().handle, ...(isHidden && { isShown: true }), ...(across !== null && { across }) };
     chosen = across === null ? null : { kind: 'plane', axis: across };
     down.clear();

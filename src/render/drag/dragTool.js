@@ -57,7 +57,7 @@ export function createToolDrag(state, { stage, room, isWide, missing, userFrame 
   function isVisible() {
     const { toolKeys, drag } = session();
     const isWanted = isOver || noHover.matches || hold !== null || toolKeys !== null || drag !== null;
-    return isWanted && isHandleShown(session(), isWide());
+    return isWanted && isHandleShown(store.state, isWide());
   }
 
   /** What was drawn last, not to ask for another picture of the same. */
@@ -201,6 +201,7 @@ export function createToolDrag(state, { stage, room, isWide, missing, userFrame 
       now.drag,
       now.toolKeys,
       now.build,
+      now.workcell,
     ]),
     redraw,
   );

@@ -46,7 +46,7 @@ export function createHandleBar(page, host, { isWide, poseInWords }) {
   $(snap).on('click', () => change({ snaps: !store.state.session.handle.snaps }));
 
   addView(
-    ({ session }) => isHandleShown(session, isWide()),
+    (state) => isHandleShown(state, isWide()),
     (isShown) => (bar.hidden = !isShown),
   );
   addView(

@@ -142,6 +142,8 @@ export function createObstaclesPanel(page, host, cells) {
   const capsules = h('input', { type: 'checkbox' });
   capsules.addEventListener('change', () => look({ hasCapsules: capsules.checked }));
   const margin = createMarginField(page);
+  // until the first drawing knows which of them are called for
+  for (const part of [head, list, empty, margin.element]) part.hidden = true;
   fill(
     host,
     createClearanceLine(page, cells),

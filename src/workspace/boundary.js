@@ -17,35 +17,47 @@ import { apart } from './traced.js';
 /** Places are looked at this far beside a curve, in tolerances of the curve's lines. */
 const BESIDE = 0.05;
 
-/** A piece whose ends differ is halved until it is no longer than this many tolerances. */
-const SHORTEST = 0.02;
-
 /** Halvings at most. */
 const DEEPEST = 24;
 
-/** What is reached beside a piece: on the left only, on the right only, on both sides or none. @typedef {1 | -1 | 0} Side */
+/**
+ * What is reached beside a piece: on the left only (1), on the right only (−1), on both sides or none (0).
+ * @typedef {1 | -1 | 0} Side
+ *
+ * @callback SideAt  beside a curve at a vertex between two others
+ * @param {Vertex} at
+ * @param {Vertex} a
+ * @param {Vertex} b
+ * @returns {Side}
+ */
+
+/** @param {boolean} isLeft @param {boolean} isRight @returns {Side} */
+export const sideOf = (isLeft, isRight) => (isLeft === isRight ? 0 : isLeft ? 1 : -1);
+
+/**
+ * By asking whether places close beside the curve are reached.
+ * @param {IsReached} isReached
+ * @param {number} tolerance
+ * @returns {SideAt}
+ */
+export const closeBeside = (isReached, tolerance) => (at, a, b) => {
+  const length = apart(a, b);
+  if (length === 0) return 0;
+  const step = (BESIDE * tolerance) / length;
+  const [nu, nv] = [-(b.v - a.v) * step, (b.u - a.u) * step];
+  return sideOf(isReached(at.u + nu, at.v + nv), isReached(at.u - nu, at.v - nv));
+};
 
 /**
  * @param {Traced} curve
- * @param {IsReached} isReached
- * @param {number} tolerance
+ * @param {SideAt} sideAt
+ * @param {number} shortest     m: a piece whose ends differ is halved until it is no longer
  * @param {boolean} isThorough  every piece is asked of near both ends; else only one whose neighbours are not like it
  * @returns {BoundaryPiece[]}
  */
-export function boundaryOf(curve, isReached, tolerance, isThorough) {
+export function boundaryOf(curve, sideAt, shortest, isThorough) {
   /** @type {BoundaryPiece[]} */
   const pieces = [];
-
-  /** @param {Vertex} at @param {Vertex} a @param {Vertex} b @returns {Side} beside the curve at a vertex between two others */
-  const sideAt = (at, a, b) => {
-    const length = apart(a, b);
-    if (length === 0) return 0;
-    const step = (BESIDE * tolerance) / length;
-    const [nu, nv] = [-(b.v - a.v) * step, (b.u - a.u) * step];
-    const isLeft = isReached(at.u + nu, at.v + nv);
-    const isRight = isReached(at.u - nu, at.v - nv);
-    return isLeft === isRight ? 0 : isLeft ? 1 : -1;
-  };
 
   /** @param {Side} side @param {Vertex} a @param {Vertex} b */
   const add = (side, a, b) => {
@@ -58,7 +70,7 @@ export function boundaryOf(curve, isReached, tolerance, isThorough) {
     const length = apart(a, b);
     if (length === 0) return;
     const middle = curve.between(a, b);
-    if (!middle || length <= SHORTEST * tolerance || depth === DEEPEST) {
+    if (!middle || length <= shortest || depth === DEEPEST) {
       add(sideAt(middle ?? a, a, b), a, b);
       return;
     }

@@ -14,7 +14,7 @@
  * @typedef {(place: ArrayLike<number>) => PlacePosture[]} PlaceSolver
  */
 import { screwsOf } from '../kinematics/screws.js';
-import { prepareRegional, solveRegional } from '../kinematics/solvers/regional.js';
+import { isDeficient, prepareRegional, solveRegional } from '../kinematics/solvers/regional.js';
 import { createPlacement, writePlacement } from './placement.js';
 
 const FULL_TURN = 2 * Math.PI;
@@ -29,7 +29,7 @@ const AT_LIMIT = 1e-9;
  * @param {Chain} chain
  * @param {boolean} withLimits
  * @param {number} [unbound]  a joint that has no limits, by its place in the ranges; −1: none
- * @returns {PlaceSolver | null} null if more than three joints move the TCP
+ * @returns {PlaceSolver | null} null if more than three joints move the TCP, or three in a surface only
  */
 export function createPlaceSolver(chain, withLimits, unbound = -1) {
   const placement = createPlacement(chain, withLimits);
@@ -47,6 +47,8 @@ export function createPlaceSolver(chain, withLimits, unbound = -1) {
       }),
   );
   const regional = prepareRegional(lines, [home[12] / length, home[13] / length, home[14] / length]);
+  // one joint too many for a surface: infinitely many postures, of which it would find some
+  if (lines.length === 3 && isDeficient(regional)) return null;
 
   return (place) => {
     const [dx, dy, dz] = [place[0] - start[12], place[1] - start[13], place[2] - start[14]];

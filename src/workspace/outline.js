@@ -20,6 +20,7 @@
  * @property {number} perimeter m
  * @property {number} gap
  */
+import { Squares } from './squares.js';
 import { apart } from './traced.js';
 
 /** Lines that run the same way within this (the cosine of the angle) may be one line twice. */
@@ -28,45 +29,6 @@ const PARALLEL = 0.9999;
 /** A gap longer than so many tolerances is not bridged by joining, but closed as it is, and stated. */
 const BRIDGED = 4;
 
-/** Places in a grid of squares. */
-class Squares {
-  /** @type {Map<string, unknown[]>} */
-  #kept = new Map();
-  #side;
-
-  /** @param {number} side */
-  constructor(side) {
-    this.#side = side;
-  }
-
-  /** @param {number} u0 @param {number} v0 @param {number} u1 @param {number} v1 @returns {string[]} */
-  #keys(u0, v0, u1, v1) {
-    const at = (/** @type {number} */ value) => Math.floor(value / this.#side);
-    const keys = [];
-    for (let i = at(Math.min(u0, u1)); i <= at(Math.max(u0, u1)); i++)
-      for (let j = at(Math.min(v0, v1)); j <= at(Math.max(v0, v1)); j++) keys.push(`${i},${j}`);
-    return keys;
-  }
-
-  /** @param {unknown} thing @param {Vertex} a @param {Vertex} b */
-  add(thing, a, b) {
-    for (const key of this.#keys(a.u, a.v, b.u, b.v)) {
-      const there = this.#kept.get(key);
-      if (there) there.push(thing);
-      else this.#kept.set(key, [thing]);
-    }
-  }
-
-  /** @param {Vertex} a @param {Vertex} b @param {number} margin @returns {Set<unknown>} */
-  near(a, b, margin) {
-    const found = new Set();
-    const [u0, u1] = [Math.min(a.u, b.u) - margin, Math.max(a.u, b.u) + margin];
-    const [v0, v1] = [Math.min(a.v, b.v) - margin, Math.max(a.v, b.v) + margin];
-    for (const key of this.#keys(u0, v0, u1, v1)) for (const thing of this.#kept.get(key) ?? []) found.add(thing);
-    return found;
-  }
-}
-
 /**
  * The pieces without what others have drawn before.
  * @param {readonly BoundaryPiece[]} pieces
@@ -74,6 +36,7 @@ class Squares {
  * @returns {BoundaryPiece[]}
  */
 export function onlyOnce(pieces, tolerance) {
+  /** @type {Squares<BoundaryPiece>} */
   const squares = new Squares(200 * tolerance);
   /** @type {BoundaryPiece[]} */
   const kept = [];
@@ -84,7 +47,7 @@ export function onlyOnce(pieces, tolerance) {
     const [du, dv] = [(to.u - from.u) / length, (to.v - from.v) / length];
     /** Shares of the piece that are there already. @type {[number, number][]} */
     const covered = [];
-    for (const other of /** @type {Set<BoundaryPiece>} */ (squares.near(from, to, tolerance))) {
+    for (const other of squares.near(from, to, tolerance)) {
       const size = apart(other.from, other.to);
       const cosine = ((other.to.u - other.from.u) * du + (other.to.v - other.from.v) * dv) / size;
       if (cosine < PARALLEL) continue;
@@ -142,18 +105,20 @@ function uncovered(covered) {
  */
 export function outlinesOf(pieces, tolerance) {
   const reach = BRIDGED * tolerance;
+  /** @type {Squares<BoundaryPiece>} */
   const starts = new Squares(4 * reach);
+  /** @type {Squares<BoundaryPiece>} */
   const ends = new Squares(4 * reach);
   for (const piece of pieces) {
     starts.add(piece, piece.from, piece.from);
     ends.add(piece, piece.to, piece.to);
   }
   const left = new Set(pieces);
-  /** The nearest piece that is left whose end is here. @param {Squares} squares @param {Vertex} here @param {'from' | 'to'} end */
+  /** The nearest piece that is left whose end is here. @param {Squares<BoundaryPiece>} squares @param {Vertex} here @param {'from' | 'to'} end */
   const nearest = (squares, here, end) => {
     let best = null;
     let least = reach;
-    for (const piece of /** @type {Set<BoundaryPiece>} */ (squares.near(here, here, reach))) {
+    for (const piece of squares.near(here, here, reach)) {
       const distance = apart(piece[end], here);
       if (left.has(piece) && distance <= least) [best, least] = [piece, distance];
     }

@@ -4,8 +4,9 @@
  *
  * @import { Chain } from '../kinematics/chain.js'
  * @import { Vector } from '../kinematics/lines.js'
- * @import { IsReached } from './boundary.js'
+ * @import { IsReached, SideAt } from './boundary.js'
  * @import { Cells, Extent } from './cells.js'
+ * @import { SectionProgress } from './fields.js'
  * @import { Enclosed, Outline } from './outline.js'
  * @import { Cut, SectionMap } from './sectionMap.js'
  * @import { Fixed, Traced, Vertex } from './traced.js'
@@ -44,21 +45,32 @@
  * @property {number | null} volumeError
  * @property {number} gap           m: the longest stretch of boundary that was not found
  * @property {Cells} cells
- *
- * @typedef {{ stage: 'curves' | 'sides', share: number }} SectionProgress
  */
-import { boundaryOf } from './boundary.js';
+import { boundaryOf, closeBeside } from './boundary.js';
 import { cellsOf, extentOf } from './cells.js';
 import { edges, folds, ownLimits } from './criticalCurves.js';
+import { criticalPostures, nothingDrawn } from './criticalPostures.js';
 import { createPlaceSolver } from './exactPlaces.js';
+import { createDescent } from './descent.js';
+import { fieldsBetween, triedFrom } from './fields.js';
 import { enclosed, onlyOnce, outlinesOf } from './outline.js';
+import { createSampler } from './sampler.js';
 import { createSectionMap, ownCut } from './sectionMap.js';
 
 /** A gap longer than so many tolerances says that a piece between two lookings was overlooked: then all are looked at closely. */
 const SUSPICIOUS = 60;
 
+/** A piece whose ends differ is halved until it is no longer than this many tolerances. */
+const SHORTEST = 0.02;
+
 /** Curves are told of after so many. */
 const WORD = 4;
+
+/** The axis is looked at in so many pieces. */
+const AXIS_PIECES = 400;
+
+/** So many curves are thought to be half of all, where nobody knows how many there are. */
+const FEW = 10;
 
 /**
  * @param {Chain} chain
@@ -66,12 +78,13 @@ const WORD = 4;
  * @returns {Generator<SectionProgress, Section | null>} null if the arm has no such section
  */
 export function* mapSection(chain, options = {}) {
-  const { withLimits = true, tolerance = 2e-5, cell = 5e-4 } = options;
+  const { withLimits = true, tolerance = 2e-5, cell = 5e-4, seed = 1 } = options;
   const cut = options.cut ?? ownCut(chain, withLimits);
   const map = cut && createSectionMap(chain, cut, withLimits);
   if (!map) return null;
   const isReached = exactlyReached(chain, map, withLimits);
-  if (!isReached) return null;
+  // Postures that are found land on sections at any angle, and in the plane of a planar arm; elsewhere they pass by.
+  if (!isReached && !(map.isAnyAngle && map.kind !== 'plane')) return null;
 
   /** @type {Traced[]} */
   const curves = [];
@@ -81,24 +94,55 @@ export function* mapSection(chain, options = {}) {
       if (curves.length % WORD === 0) yield { stage: 'curves', share: curves.length / (curves.length + WORD) };
     }
   }
-  let outlines = yield* outlinesAlong(curves, isReached, tolerance, false);
-  if (outlines.some(({ gap }) => gap > SUSPICIOUS * tolerance)) {
-    outlines = yield* outlinesAlong(curves, isReached, tolerance, true);
+  if (isReached) {
+    const sideAt = closeBeside(isReached, tolerance);
+    const shortest = SHORTEST * tolerance;
+    let outlines = yield* outlinesAlong(curves, sideAt, shortest, tolerance, false);
+    if (outlines.some(({ gap }) => gap > SUSPICIOUS * tolerance)) {
+      outlines = yield* outlinesAlong(curves, sideAt, shortest, tolerance, true);
+    }
+    return sectionOf(map, curves, outlines, cell, 'proven');
   }
-  return sectionOf(map, curves, outlines, cell);
+  const sampler = createSampler(chain, { withLimits, seed });
+  const drawn = nothingDrawn(tolerance);
+  for (const curve of criticalPostures(map, tolerance, seed, drawn)) {
+    if (curve) curves.push(curve);
+    yield { stage: 'curves', share: curves.length / (curves.length + FEW) };
+  }
+  if (map.kind === 'meridian') curves.push(axisOf(map, curves));
+  const descent = createDescent(chain, withLimits, map.left);
+  const fields = yield* fieldsBetween(map, curves, cell, sampler, triedFrom(map, descent, tolerance / 100));
+  const outlines = yield* outlinesAlong(curves, fields.sideAt, fields.cells.size / 4, tolerance, false);
+  return { ...sectionOf(map, curves, outlines, cell, 'estimated'), ...counted(map, fields.cells) };
+}
+
+/**
+ * The axis itself, as far as the curves go: a half-plane ends there.
+ * @param {SectionMap} map
+ * @param {readonly Traced[]} curves
+ * @returns {Traced}
+ */
+function axisOf(map, curves) {
+  let [low, high] = [Infinity, -Infinity];
+  for (const { vertices } of curves) for (const { v } of vertices) [low, high] = [Math.min(low, v), Math.max(high, v)];
+  const x = map.lower.slice();
+  const at = (/** @type {number} */ v) => ({ x, u: 0, v });
+  const vertices = Array.from({ length: AXIS_PIECES + 1 }, (_, k) => at(low + (k / AXIS_PIECES) * (high - low)));
+  return { kind: 'singular', fixed: [], vertices, roughness: 0, between: (a, b) => at((a.v + b.v) / 2) };
 }
 
 /**
  * @param {readonly Traced[]} curves
- * @param {IsReached} isReached
+ * @param {SideAt} sideAt
+ * @param {number} shortest
  * @param {number} tolerance
  * @param {boolean} isThorough
  * @returns {Generator<SectionProgress, Outline[]>}
  */
-function* outlinesAlong(curves, isReached, tolerance, isThorough) {
+function* outlinesAlong(curves, sideAt, shortest, tolerance, isThorough) {
   const pieces = [];
   for (const [i, curve] of curves.entries()) {
-    pieces.push(...boundaryOf(curve, isReached, tolerance, isThorough));
+    for (const piece of boundaryOf(curve, sideAt, shortest, isThorough)) pieces.push(piece);
     yield { stage: 'sides', share: (i + 1) / curves.length };
   }
   return outlinesOf(onlyOnce(pieces, tolerance), tolerance).filter(({ vertices }) => vertices.length > 2);
@@ -111,7 +155,7 @@ function* outlinesAlong(curves, isReached, tolerance, isThorough) {
  * @returns {IsReached | null} null if more joints move the TCP than have a closed form
  */
 function exactlyReached(chain, map, withLimits) {
-  const solve = createPlaceSolver(chain, withLimits, map.isAnyAngle ? map.left : -1);
+  const solve = map.free.length <= 2 && createPlaceSolver(chain, withLimits, map.isAnyAngle ? map.left : -1);
   if (!solve) return null;
   return (u, v) => (map.kind !== 'meridian' || u >= 0) && solve(map.lift([u, v])).some(({ isInside }) => isInside);
 }
@@ -121,9 +165,10 @@ function exactlyReached(chain, map, withLimits) {
  * @param {readonly Traced[]} curves
  * @param {readonly Outline[]} outlines
  * @param {number} cell
+ * @param {Section['sides']} sides
  * @returns {Section}
  */
-function sectionOf(map, curves, outlines, cell) {
+function sectionOf(map, curves, outlines, cell, sides) {
   const { area, areaError, turned, turnedError, gap } = enclosed(outlines);
   const makesSolid = map.kind === 'meridian' && map.placement.ranges.isClosed[map.left];
   const number = new Map(curves.map((curve, i) => [curve, i]));
@@ -131,7 +176,7 @@ function sectionOf(map, curves, outlines, cell) {
     kind: map.kind,
     isAnyAngle: map.kind === 'meridian' && map.isAnyAngle,
     frame: { origin: map.origin, u: map.u, v: map.v },
-    sides: 'proven',
+    sides,
     curves: curves.map(({ kind, fixed, vertices }) => ({ kind, fixed, ...written(map, vertices) })),
     outlines: outlines.map((outline) => ({
       ...written(map, outline.vertices),
@@ -145,6 +190,40 @@ function sectionOf(map, curves, outlines, cell) {
     volumeError: makesSolid ? turnedError : null,
     gap,
     cells: cellsOf(outlines, cell),
+  };
+}
+
+/**
+ * Area and volume by counting cells: where the boundary is not proven to be whole, an integral along it would say more than
+ * is known. The error is that of the cells at its edge.
+ * @param {SectionMap} map
+ * @param {Cells} cells
+ */
+function counted(map, cells) {
+  const { reached, columns, size } = cells;
+  const sum = { area: 0, areaError: 0, turned: 0, turnedError: 0 };
+  const each = size * size;
+  let [low, high, left, right] = [Infinity, -Infinity, Infinity, -Infinity];
+  for (let k = 0; k < reached.length; k++) {
+    const isEdge = reached[k] !== (reached[k + 1] ?? 0) || reached[k] !== (reached[k + columns] ?? 0);
+    if (!isEdge && !reached[k]) continue;
+    const [u, v] = [cells.u + ((k % columns) + 0.5) * size, cells.v + (Math.floor(k / columns) + 0.5) * size];
+    if (isEdge) sum.areaError += each;
+    if (isEdge) sum.turnedError += 2 * Math.PI * Math.abs(u) * each;
+    if (!reached[k]) continue;
+    sum.area += each;
+    sum.turned += 2 * Math.PI * Math.max(0, u) * each;
+    [low, high] = [Math.min(low, v - size / 2), Math.max(high, v + size / 2)];
+    [left, right] = [Math.min(left, u - size / 2), Math.max(right, u + size / 2)];
+  }
+  const makesSolid = map.kind === 'meridian' && map.placement.ranges.isClosed[map.left];
+  return {
+    cells,
+    area: sum.area,
+    areaError: sum.areaError,
+    volume: makesSolid ? sum.turned : null,
+    volumeError: makesSolid ? sum.turnedError : null,
+    extent: sum.area > 0 ? /** @type {Extent} */ ({ u: [left, right], v: [low, high] }) : null,
   };
 }
 

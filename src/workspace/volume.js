@@ -1,0 +1,212 @@
+/**
+ * The workspace as cubes (voxels), with how well the arm works in each. A cube is reached if its middle is, where three joints
+ * move the TCP and there is a closed form; for other arms if a posture was seen to land in it, so that those at the edge are
+ * reached in part, and one may be missing. What is told of a cube is the best of the postures that landed in it, or all of
+ * them together, and so an estimate that grows better with their number:
+ *
+ * - `manipulability`: the largest √det(J Jᵀ) of the place, m³ (its rows in the plane only, for a planar arm: m²)
+ * - `margin`: the largest share of room to the nearest limit, 1 in the middle of all ranges
+ * - `directions`: which of 54 directions, evenly about a sphere's cube, the tool's z axis was seen to have, as a share
+ *
+ * The number of postures is exact where at most three joints move the TCP: that of the cube's middle. For a fixed orientation or
+ * a cone of them, inverse kinematics is asked at the middles of the cubes that are reached at all; of a cone, some orientations.
+ *
+ * @import { Chain } from '../kinematics/chain.js'
+ * @import { PlaceSolver } from './exactPlaces.js'
+ * @import { Wanted } from './orientationsWanted.js'
+ * @import { Ranges } from './placement.js'
+ * @import { Voxels } from './voxels.js'
+ *
+ * @typedef {object} VolumeOptions
+ * @property {boolean} [withLimits]  of turning joints (true)
+ * @property {number} [cell]         m; missing: a hundredth of the arm's reach
+ * @property {Wanted} [wanted]
+ * @property {number} [seed]
+ *
+ * @typedef {{ stage: 'places' | 'attributes' | 'orientations', share: number, voxels?: Voxels }} VolumeProgress
+ */
+import { allInverseKinematics } from '../kinematics/allInverse.js';
+import { createRandom } from '../kinematics/random.js';
+import { createPlaceSolver } from './exactPlaces.js';
+import { FACINGS, facingOf, shareOfFacings } from './facings.js';
+import { orientationsWanted } from './orientationsWanted.js';
+import { createPlacement, writePlacement } from './placement.js';
+import { createSampler } from './sampler.js';
+import { copyOf, cubeAt, emptyVoxels, extentOf, measured, middleOf } from './voxels.js';
+
+/** Postures for each cube: those of which only the place is looked at, and those of which all is. */
+const PLACES_EACH = 12;
+const LOOKS_EACH = 2;
+const MOST_LOOKS = 2e6;
+
+const SLICE = 1e5;
+const LOOK_SLICE = 1e4;
+
+/** The first picture: cubes so many times as large, by so many postures. */
+const COARSE = 4;
+const FIRST_PLACES = 5e4;
+
+/** Orientations are asked for so many cubes between two words. */
+const ASKED = 50;
+
+/**
+ * @param {Chain} chain
+ * @param {VolumeOptions} [options]
+ * @returns {Generator<VolumeProgress, Voxels>}
+ */
+export function* mapVolume(chain, options = {}) {
+  const { withLimits = true, seed = 1, wanted = { kind: 'any' } } = options;
+  const sampler = createSampler(chain, { withLimits, seed });
+  const first = new Float32Array(3 * FIRST_PLACES);
+  sampler.fill(0, first);
+  const extent = extentOf(first);
+  const longest = Math.max(...extent.high.map((value, i) => value - extent.low[i]), 1e-6);
+  const size = options.cell ?? longest / 100;
+
+  const coarse = emptyVoxels(extent, COARSE * size);
+  markPlaces(coarse, first);
+  yield { stage: 'places', share: 0, voxels: measured(coarse) };
+
+  const voxels = emptyVoxels(extent, size);
+  const places = new Float32Array(3 * SLICE);
+  const many = Math.max(FIRST_PLACES, PLACES_EACH * voxels.reached.length);
+  for (let done = 0; done < many; done += SLICE) {
+    sampler.fill(done, places);
+    markPlaces(voxels, places);
+    yield { stage: 'places', share: Math.min(1, (done + SLICE) / many) };
+  }
+  yield { stage: 'attributes', share: 0, voxels: copyOf(measured(voxels)) };
+
+  yield* lookAt(chain, voxels, withLimits, seed);
+  if (wanted.kind !== 'any') yield* keepOriented(chain, voxels, wanted);
+  const solve = createPlaceSolver(chain, withLimits);
+  if (solve && sampler.ranges.joints.length === 3) yield* askMiddles(voxels, solve, wanted.kind === 'any');
+  return measured(voxels);
+}
+
+/**
+ * How many postures there are for the middle of each cube that is, or may be, reached.
+ * @param {Voxels} voxels
+ * @param {PlaceSolver} solve
+ * @param {boolean} isAll  whether that decides what is reached
+ * @returns {Generator<VolumeProgress>}
+ */
+function* askMiddles(voxels, solve, isAll) {
+  const { reached, counts } = voxels;
+  const landed = reached.slice();
+  const postures = new Uint8Array(reached.length);
+  const steps = [1, counts[0], counts[0] * counts[1]];
+  for (let k = 0; k < reached.length; k++) {
+    if (k % LOOK_SLICE === LOOK_SLICE - 1) yield { stage: 'attributes', share: k / reached.length };
+    if (!landed[k] && !steps.some((step) => landed[k + step] || landed[k - step])) continue;
+    postures[k] = solve(middleOf(voxels, k)).filter(({ isInside }) => isInside).length;
+    if (isAll) reached[k] = Number(postures[k] > 0);
+  }
+  voxels.postures = postures;
+  voxels.isMiddle = isAll;
+}
+
+/** @param {Voxels} voxels @param {Float32Array} places */
+function markPlaces(voxels, places) {
+  for (let k = 0; k < places.length; k += 3) {
+    const cube = cubeAt(voxels, places[k], places[k + 1], places[k + 2]);
+    if (cube >= 0) voxels.reached[cube] = 1;
+  }
+}
+
+/**
+ * Looks at whole postures: how well the arm works where they land.
+ * @param {Chain} chain
+ * @param {Voxels} voxels
+ * @param {boolean} withLimits
+ * @param {number} seed
+ * @returns {Generator<VolumeProgress>}
+ */
+function* lookAt(chain, voxels, withLimits, seed) {
+  const placement = createPlacement(chain, withLimits);
+  const { ranges, place, frames, J, q } = placement;
+  const { packed } = chain;
+  const sampler = createSampler(chain, { withLimits, seed });
+  const random = createRandom(seed);
+  const isStill = chain.joints.map((_, i) => !ranges.joints.includes(i));
+  const facings = new Uint32Array(FACINGS * voxels.reached.length);
+  const x = new Float64Array(ranges.joints.length);
+  const tool = packed.tool;
+  const end = frames.length - 16;
+  const looks = Math.min(MOST_LOOKS, LOOKS_EACH * voxels.reached.length);
+  for (let index = 0; index < looks; index++) {
+    if (index % LOOK_SLICE === LOOK_SLICE - 1) yield { stage: 'attributes', share: index / looks };
+    sampler.postureAt(index, q);
+    // joints that do not move the TCP turn the tool
+    for (let i = 0; i < q.length; i++) {
+      if (!isStill[i]) continue;
+      const [low, high] = [Math.max(packed.lower[i], -Math.PI), Math.min(packed.upper[i], Math.PI)];
+      q[i] = low + random() * (high - low);
+    }
+    for (let k = 0; k < x.length; k++) x[k] = q[ranges.joints[k]];
+    writePlacement(placement, x);
+    const cube = cubeAt(voxels, place[0], place[1], place[2]);
+    if (cube < 0) continue;
+    voxels.reached[cube] = 1;
+    voxels.manipulability[cube] = Math.max(voxels.manipulability[cube], manipulabilityOf(J));
+    voxels.margin[cube] = Math.max(voxels.margin[cube], marginOf(ranges, x));
+    const axis = [0, 1, 2].map(
+      (row) => frames[end + row] * tool[8] + frames[end + 4 + row] * tool[9] + frames[end + 8 + row] * tool[10],
+    );
+    const facing = facingOf(axis);
+    facings[FACINGS * cube + (facing >> 5)] |= 1 << (facing & 31);
+  }
+  for (let cube = 0; cube < voxels.reached.length; cube++) voxels.directions[cube] = shareOfFacings(facings, cube);
+}
+
+/**
+ * √ of the sum of squares of all determinants of the largest size that do not vanish: the volume, or the area, that unit rates
+ * of the joints sweep.
+ * @param {Float64Array} J  3 · m
+ */
+function manipulabilityOf(J) {
+  let [a, b, c, d, e, f] = [0, 0, 0, 0, 0, 0];
+  for (let k = 0; k < J.length; k += 3) {
+    a += J[k] * J[k];
+    b += J[k] * J[k + 1];
+    c += J[k] * J[k + 2];
+    d += J[k + 1] * J[k + 1];
+    e += J[k + 1] * J[k + 2];
+    f += J[k + 2] * J[k + 2];
+  }
+  const whole = a * (d * f - e * e) - b * (b * f - c * e) + c * (b * e - c * d);
+  const flat = a * d - b * b + a * f - c * c + d * f - e * e;
+  return Math.sqrt(Math.max(0, whole > 1e-9 * flat * Math.sqrt(Math.max(0, flat)) ? whole : flat));
+}
+
+/** @param {Ranges} ranges @param {Float64Array} x */
+function marginOf({ lower, upper, isClosed }, x) {
+  let least = 1;
+  for (let k = 0; k < x.length; k++) {
+    if (isClosed[k] || upper[k] === lower[k]) continue;
+    least = Math.min(least, (2 * Math.min(x[k] - lower[k], upper[k] - x[k])) / (upper[k] - lower[k]));
+  }
+  return least;
+}
+
+/**
+ * Leaves those cubes where the tool can be turned as wanted, at the middle.
+ * @param {Chain} chain
+ * @param {Voxels} voxels
+ * @param {Exclude<Wanted, { kind: 'any' }>} wanted
+ * @returns {Generator<VolumeProgress>}
+ */
+function* keepOriented(chain, voxels, wanted) {
+  const cubes = Array.from(voxels.reached.keys()).filter((cube) => voxels.reached[cube]);
+  const poses = orientationsWanted(wanted);
+  for (const [done, cube] of cubes.entries()) {
+    const middle = middleOf(voxels, cube);
+    const isThere = poses.some((T) => {
+      T.set(middle, 12);
+      const { solutions, families } = allInverseKinematics(chain, T, { onlyWithinLimits: true });
+      return solutions.length > 0 || families.some(({ withinLimits }) => withinLimits);
+    });
+    if (!isThere) voxels.reached[cube] = 0;
+    if (done % ASKED === ASKED - 1) yield { stage: 'orientations', share: done / cubes.length };
+  }
+}

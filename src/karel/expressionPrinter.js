@@ -70,8 +70,9 @@ export function expressionText(expression) {
 export const listText = (texts) => texts.join(`, ${BREAK}`);
 
 /** @param {Call} call */
-export function callText({ name, args }) {
-  return args.length ? `${identifier(name)}(${listText(args.map(expressionText))})` : identifier(name);
+export function callText({ name, args, byValue = [] }) {
+  const texts = args.map((arg, i) => (byValue.includes(i) ? `(${expressionText(arg)})` : expressionText(arg)));
+  return args.length ? `${identifier(name)}(${listText(texts)})` : identifier(name);
 }
 
 /** What can be assigned to: a name, with indices and fields. @param {Designator | Call} designator @returns {string} */

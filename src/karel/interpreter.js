@@ -23,6 +23,7 @@
 import { Alarm, copiedState } from './run/values.js';
 import { link } from './run/link.js';
 import { firstGlobals } from './run/programs.js';
+import { firstSystem } from './run/systemVariables.js';
 import { newTask, nextTask } from './run/tasks.js';
 import { currentLine, DEFAULT_STEPS, passTime, pushFrame, runSlice, SCAN, scanHandlers } from './run/machine.js';
 
@@ -49,7 +50,7 @@ export function createMachine(tree, host = {}) {
     ...{ handlers: [], ports: {}, registers: {}, positionRegisters: {}, stringRegisters: {} },
     files: Object.fromEntries(Object.entries(host.files ?? {}).map(([name, text]) => [name.toUpperCase(), text])),
     input: [...(host.input ?? [])],
-    ...{ semaphores: {}, system: {}, timers: [], pulses: [] },
+    ...{ semaphores: {}, system: firstSystem(), timers: [], pulses: [] },
   };
   /** @type {Machine} */
   const machine = { image, linker, state, host, effect: null, globals: state.globals[0] };

@@ -3,17 +3,18 @@
  * a tree, of what could be read, and says of everything else what was expected and what came. Text of a file that is
  * included, which has no PROGRAM, becomes a fragment.
  *
- * What `ktransw` adds to the language is expanded before, as far as it is known here (`scan/preprocessor.js`).
+ * What `ktransw` adds to the language is expanded before, as far as it is known here (`preprocess/preprocessor.js`).
  *
  * @import { Declaration, Directive, Fragment, Program, Statement } from './tree.js'
  * @import { Cursor, Diagnostic } from './parse/cursor.js'
+ * @import { Preprocessed } from './preprocess/preprocessor.js'
  */
 import { readBody, withoutTrailing } from './parse/blocks.js';
 import { createCursor, FAULT, shownToken } from './parse/cursor.js';
 import { readDeclarations, readEnd, readConstant, readEntries } from './parse/declarations.js';
 import { readStatement, readStatements } from './parse/statements.js';
 import { readDeclared, readTypeDefinition } from './parse/types.js';
-import { preprocess } from './scan/preprocessor.js';
+import { preprocess } from './preprocess/preprocessor.js';
 import { scan } from './scan/scanner.js';
 
 /** @typedef {Readonly<Record<string, string>>} Files  by their names */
@@ -21,12 +22,15 @@ import { scan } from './scan/scanner.js';
 /**
  * @param {string} text
  * @param {{ files?: Files }} [options]  what the preprocessor may include
- * @returns {{ tree: Program | Fragment, diagnostics: Diagnostic[] }}
+ * @returns {{ tree: Program | Fragment, diagnostics: Diagnostic[], hasGaps: boolean, programs: Program[] }}  whether something
+ *   that the preprocessor was to bring is missing; the programs that the text makes of templates, which are checked and run
+ *   like others. Diagnostics are those of all of them
  */
 export function parseKarel(text, { files = {} } = {}) {
-  const { cursor, diagnostics } = openText(text, files);
+  const { cursor, diagnostics, hasGaps, generated } = openText(text, files);
   const tree = isProgram(cursor) ? readProgram(cursor) : readFragment(cursor);
-  return { tree, diagnostics: inOrder(diagnostics) };
+  const programs = generated.map((one) => readProgram(cursorOf(one, diagnostics)));
+  return { tree, diagnostics: inOrder(diagnostics), hasGaps, programs };
 }
 
 /**
@@ -53,15 +57,20 @@ export function parseIncluded(text, where, { files = {} } = {}) {
 function openText(text, files) {
   /** @type {Diagnostic[]} */
   const diagnostics = [];
-  const { text: expanded, macros, locate } = preprocess(text, files, diagnostics);
+  const expanded = preprocess(text, files, diagnostics);
+  const { hasGaps, generated } = expanded;
+  return { cursor: cursorOf(expanded, diagnostics), diagnostics, hasGaps, generated };
+}
+
+/** @param {Preprocessed} expanded @param {Diagnostic[]} diagnostics */
+function cursorOf({ text, macros, locate }, diagnostics) {
   const report = (
     /** @type {string} */ code,
     /** @type {string} */ message,
     /** @type {number} */ start,
     /** @type {number} */ end,
   ) => void diagnostics.push({ severity: 'error', code, message, span: locate(start, end) });
-  const tokens = scan(expanded, report);
-  return { cursor: createCursor(tokens, locate, diagnostics, macros), diagnostics };
+  return createCursor(scan(text, report), locate, diagnostics, macros);
 }
 
 /** @param {Diagnostic[]} diagnostics */

@@ -87,7 +87,8 @@
  * @typedef {Spanned & { kind: 'comment', text: string, trailing?: true }} Comment  trailing: behind what stands before it
  *
  * @typedef {Spanned & { kind: 'assign', target: Designator, value: Expression }} Assign
- * @typedef {Spanned & { kind: 'call', name: string, args: readonly Expression[] }} Call  as a statement, or a function's value
+ * @typedef {Spanned & { kind: 'call', name: string, args: readonly Expression[], byValue?: readonly number[] }} Call  as a
+ *   statement, or a function's value; by value: which arguments are variables in parentheses, of which the routine gets a copy
  * @typedef {Spanned & { kind: 'if', condition: Expression, then: Body, else?: Body }} If
  * @typedef {Spanned & { kind: 'select', value: Expression, cases: readonly Case[], else?: Body }} Select
  * @typedef {Spanned & { values: readonly Expression[], body: Body }} Case

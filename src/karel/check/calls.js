@@ -67,7 +67,7 @@ function checkArguments(node, args, routine, context) {
     );
   }
   for (const [i, arg] of node.args.entries()) {
-    markSet(arg, context);
+    if (!node.byValue?.includes(i)) markSet(arg, context);
     const parameter = parameters[i];
     if (parameter && !types.fits(args[i], parameter.type)) {
       context.scope.report(

@@ -11,6 +11,7 @@ import { typeOfCallOf } from './calls.js';
 import { PREDEFINED, PREDEFINED_FILES } from './constants.js';
 import { unknownName } from './context.js';
 import { binaryType } from './operators.js';
+import { systemType } from './systemVariables.js';
 import * as types from './types.js';
 
 /** @param {Expression} node @param {Context} context @returns {Type} */
@@ -30,7 +31,7 @@ function found(node, context) {
     case 'string':
       return types.STRING;
     case 'system':
-      return types.UNKNOWN;
+      return systemType(node);
     case 'name':
       return typeOfName(node, context);
     case 'index':
@@ -74,7 +75,8 @@ function typeOfName(node, context) {
 }
 
 /** @param {Index} node @param {Context} context @returns {Type} */
-function typeOfIndex({ target, indices, span }, context) {
+function typeOfIndex(node, context) {
+  const { target, indices, span } = node;
   const { report } = context.scope;
   const indexTypes = indices.map((index) => typeOfExpression(index, context));
   const upper = target.kind === 'name' ? target.name.toUpperCase() : '';
@@ -86,13 +88,13 @@ function typeOfIndex({ target, indices, span }, context) {
     if (!types.isWhole(index) && !types.isUnknown(index))
       report('index-type', `Expected a whole number as index, got ${types.typeText(index)}.`, indices[i].span);
   }
-  if (types.isUnknown(type)) return types.UNKNOWN;
+  if (types.isUnknown(type)) return systemType(node);
   if (type.kind === 'PATH') return type.node ?? types.UNKNOWN;
   if (type.kind !== 'ARRAY') {
     report('not-an-array', `Expected an array or a path before [, got ${types.typeText(type)}.`, span);
     return types.UNKNOWN;
   }
-  const { sizes = [], of = types.UNKNOWN } = type;
+  const { sizes, of } = types.flattened(type);
   const dimensions = sizes.length || indices.length;
   if (indices.length > dimensions) {
     report('indices', `Expected ${dimensions} ${dimensions === 1 ? 'index' : 'indices'}, got ${indices.length}.`, span);
@@ -108,9 +110,10 @@ function typeOfIndex({ target, indices, span }, context) {
 }
 
 /** @param {Field} node @param {Context} context @returns {Type} */
-function typeOfField({ target, name, system, span }, context) {
+function typeOfField(node, context) {
+  const { target, name, system, span } = node;
   const type = typeOfExpression(target, context);
-  if (system || types.isUnknown(type)) return types.UNKNOWN;
+  if (system || types.isUnknown(type)) return systemType(node);
   const field = types.fieldOf(type, name);
   if (field) return field;
   context.scope.report(

@@ -11,7 +11,7 @@
  * @typedef {object} Part
  */
 import { parseIncluded } from '../parser.js';
-import { fileNamed } from '../scan/preprocessor.js';
+import { fileNamed } from '../preprocess/files.js';
 
 const MAX_DEPTH = 16;
 const NOWHERE = { start: 0, end: 0, line: 1, column: 1 };

@@ -63,8 +63,16 @@ export function fits(from, to) {
   if (from.kind !== to.kind) return false;
   if (from.kind === 'STRUCTURE') return from.name === to.name;
   if (from.kind !== 'ARRAY') return true;
-  const [a, b] = [from.sizes ?? [], to.sizes ?? []];
-  return (a.length === b.length || a.length === 0 || b.length === 0) && fits(from.of ?? UNKNOWN, to.of ?? UNKNOWN);
+  const [a, b] = [flattened(from), flattened(to)];
+  const isOpen = a.sizes.length === 0 || b.sizes.length === 0;
+  return (isOpen || a.sizes.length === b.sizes.length) && fits(a.of, b.of);
+}
+
+/** An array of arrays is one with more dimensions. @param {Type} type @returns {{ sizes: readonly number[], of: Type }} */
+export function flattened({ sizes = [], of = UNKNOWN }) {
+  if (of.kind !== 'ARRAY' || sizes.length === 0) return { sizes, of };
+  const inner = flattened(of);
+  return { sizes: [...sizes, ...inner.sizes], of: inner.of };
 }
 
 /** @param {Type} type @returns {string} */

@@ -101,7 +101,7 @@ export function readReference(cursor) {
   const from = cursor.position();
   if (cursor.isSign('(', 1) && !cursor.peek(1).fresh) {
     const { text } = cursor.advance();
-    const call = cursor.node(from, { kind: /** @type {const} */ ('call'), name: text, args: readArguments(cursor) });
+    const call = cursor.node(from, { kind: /** @type {const} */ ('call'), name: text, ...readCallArguments(cursor) });
     return readSuffixes(cursor, from, call);
   }
   return readDesignator(cursor);
@@ -110,6 +110,25 @@ export function readReference(cursor) {
 /** @param {Cursor} cursor @returns {Expression[]} */
 export const readArguments = (cursor) =>
   cursor.bracketed('(', () => (cursor.isSign(')') ? [] : readList(cursor, () => readExpression(cursor))), ')');
+
+/** @param {Cursor} cursor */
+function readCallArguments(cursor) {
+  /** @type {number[]} */
+  const byValue = [];
+  let count = 0;
+  const readOne = () => {
+    const isOpened = cursor.isSign('(');
+    const arg = readExpression(cursor);
+    if (isOpened && isDesignator(arg)) byValue.push(count);
+    count++;
+    return arg;
+  };
+  const args = cursor.bracketed('(', () => (cursor.isSign(')') ? [] : readList(cursor, readOne)), ')');
+  return { args, ...(byValue.length > 0 && { byValue }) };
+}
+
+/** @param {Expression} node */
+const isDesignator = ({ kind }) => kind === 'name' || kind === 'system' || kind === 'index' || kind === 'field';
 
 /** @template T @param {Cursor} cursor @param {() => T} read @returns {T[]} */
 export function readList(cursor, read) {

@@ -6,10 +6,10 @@
  * @import { Compiler } from './compiler.js'
  * @import { Evaluate, Frame, Machine } from './machine.js'
  */
-import { isNumber } from '../check/types.js';
+import { isNumber, isPosition } from '../check/types.js';
 import { emitPlain } from './emit.js';
 import { compileReference } from './expressions.js';
-import { CONFIG_BITS } from './positions.js';
+import { asPosition, CONFIG_BITS } from './positions.js';
 import { copied, list, number, numbers, record, text, truth } from './values.js';
 
 /** @param {Designator} target @param {Evaluate} value @param {Compiler} compiler */
@@ -78,5 +78,6 @@ function fitting(type) {
   if (type.kind === 'SHORT') return (value) => (number(value) << 16) >> 16;
   if (type.kind === 'STRUCTURE' || type.kind === 'PATH') return (value) => copied(record(value));
   if (type.kind === 'UNKNOWN' || type.kind === 'ARRAY') return copied;
+  if (isPosition(type)) return (value) => copied(asPosition(value ?? number(value), type.kind));
   return (value) => copied(value ?? number(value));
 }

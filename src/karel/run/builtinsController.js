@@ -4,7 +4,8 @@
  * @import { Builtin, Machine } from './machine.js'
  */
 import { held, put } from './builtinsMath.js';
-import { copied, number, numbers, record, single, text } from './values.js';
+import { asPosition, isJoints } from './positions.js';
+import { copied, list, number, numbers, record, single, text } from './values.js';
 
 /** By the numbers of GET_PORT_VAL. */
 const PORT_TYPES = /** @type {Readonly<Record<number, string>>} */ ({
@@ -23,12 +24,18 @@ const setter =
     put(status, 0);
   };
 
-/** @type {Builtin} */
-const positionRegister = ([index, status], { state }) => {
-  const found = state.positionRegisters[number(index)];
-  put(status, found === undefined ? UNSET_STATUS : 0);
-  return copied(found);
-};
+/** @param {'XYZWPREXT' | 'JOINTPOS'} kind @returns {Builtin} */
+const positionRegister =
+  (kind) =>
+  ([index, status], { state }) => {
+    const found = state.positionRegisters[number(index)];
+    put(status, found === undefined ? UNSET_STATUS : 0);
+    return found && asPosition(copied(found), kind);
+  };
+
+/** By POS_REG_TYPE. */
+const XYZWPR_REGISTER = 2;
+const JOINT_REGISTER = 9;
 
 /** @param {string} bank @returns {Builtin} */
 const setComment =
@@ -63,8 +70,15 @@ export const CONTROLLER = {
   SET_POS_REG: setter('positionRegisters'),
   SET_EPOS_REG: setter('positionRegisters'),
   SET_JPOS_REG: setter('positionRegisters'),
-  GET_POS_REG: positionRegister,
-  GET_JPOS_REG: positionRegister,
+  GET_POS_REG: positionRegister('XYZWPREXT'),
+  GET_JPOS_REG: positionRegister('JOINTPOS'),
+  POS_REG_TYPE: ([index, , type, axes, status], { state }) => {
+    const found = state.positionRegisters[number(index)];
+    put(status, found === undefined ? UNSET_STATUS : 0);
+    if (found === undefined) return;
+    put(type, isJoints(found) ? JOINT_REGISTER : XYZWPR_REGISTER);
+    put(axes, isJoints(found) ? list(found).length : 0);
+  },
   CLR_POS_REG: ([index, , status], { state }) => {
     delete state.positionRegisters[number(index)];
     put(status, 0);

@@ -105,6 +105,8 @@ export const MATHEMATICS = {
     put(target, value ? single(Number(value[0])) : undefined);
   },
 
+  CNV_STR_TIME: ([source, target]) => put(target, packedTime(text(source))),
+
   UNINIT: ([variable]) => {
     const value = typeof variable === 'object' && variable && 'holder' in variable ? held(variable) : variable;
     return isUnset(value);
@@ -126,6 +128,18 @@ export const MATHEMATICS = {
     put(status, 0);
   },
 };
+
+const MONTHS = 'JANFEBMARAPRMAYJUNJULAUGSEPOCTNOVDEC';
+
+/** As DD-MMM-YY HH:MM, in 32 bits: years since 1980, month, day, hour, minute, pairs of seconds. @param {string} source */
+function packedTime(source) {
+  const match = /^\s*(\d{1,2})-([A-Z]{3})-(\d{2}) +(\d{1,2}):(\d{2})(?::(\d{2}))?\s*$/i.exec(source);
+  const month = match ? MONTHS.indexOf(match[2].toUpperCase()) / 3 + 1 : 0;
+  if (!match || !Number.isInteger(month) || month < 1) return undefined;
+  const [day, , year, hour, minute, second] = match.slice(1).map((part) => Number(part ?? 0));
+  const years = year >= 80 ? year - 80 : year + 20;
+  return (years << 25) | (month << 21) | (day << 16) | (hour << 11) | (minute << 5) | (second >> 1);
+}
 
 /** @param {Value} value @returns {boolean} */
 function isUnset(value) {

@@ -9,14 +9,15 @@
  * @import { Reference } from './values.js'
  */
 import { isPort } from '../ports.js';
-import { PREDEFINED } from '../check/constants.js';
+import { PREDEFINED, PREDEFINED_FILES } from '../check/constants.js';
 import { BUILTINS } from '../check/builtins.js';
 import { isDesignator } from '../check/context.js';
 import { isPosition, isWhole, UNKNOWN } from '../check/types.js';
 import { emitCallOf, isSetByBuiltin, runBuiltin } from './calls.js';
 import { compileBinary } from './operators.js';
 import { asRecord, elementAt, fieldAt, indexIn, portAt } from './places.js';
-import { axisOf, CONFIG_BITS } from './positions.js';
+import { asPosition, axisOf, CONFIG_BITS } from './positions.js';
+import { systemKey } from './systemVariables.js';
 import { Alarm, copied, list, number, numbers, truth, whole } from './values.js';
 
 /** @param {Expression} node @param {Compiler} compiler @returns {Evaluate} */
@@ -78,6 +79,8 @@ function compileName(node, compiler) {
   if (predefined) return () => predefined.value;
   if (BUILTINS.has(node.name.toUpperCase()))
     return compileCall({ kind: 'call', name: node.name, args: [], span: node.span }, compiler);
+  // What stands for the files that are always open: they have no trouble to tell of.
+  if (PREDEFINED_FILES.has(node.name.toUpperCase())) return () => ({});
   const { name } = node;
   return () => {
     throw new Alarm(`"${name}" is not known`, 'unknown-name');
@@ -133,8 +136,8 @@ export function compileReference(node, compiler) {
       return (m, f) => ({ holder: { value: value(m, f) }, key: 'value' });
     }
     case 'system': {
-      const { name } = node;
-      return (m) => ({ holder: m.state.system, key: name.toUpperCase() });
+      const key = systemKey(node.name.toUpperCase());
+      return (m) => ({ holder: m.state.system, key });
     }
     case 'name': {
       const symbol = compiler.symbolOf(node);
@@ -191,18 +194,20 @@ function callBuiltin(node, compiler) {
 export function emitCall(node, symbol, result, compiler) {
   emitCallOf(
     symbol,
-    node.args.map((arg, i) => compileArgument(arg, symbol, i, compiler)),
+    node.args.map((arg, i) => compileArgument(node, i, symbol, compiler)),
     result,
     compiler,
   );
 }
 
-/** A variable of the parameter's type goes by reference, everything else by value. @param {Expression} arg @param {RoutineSymbol} symbol @param {number} i @param {Compiler} compiler @returns {Locate} */
-function compileArgument(arg, symbol, i, compiler) {
+/** A variable of the parameter's type goes by reference, everything else, and what stands in parentheses, by value. @param {Call} call @param {number} i @param {RoutineSymbol} symbol @param {Compiler} compiler @returns {Locate} */
+function compileArgument({ args, byValue = [] }, i, symbol, compiler) {
+  const arg = args[i];
   const wanted = symbol.parameters[i]?.type;
   const given = compiler.typeOf(arg);
   const isVariable =
     isDesignator(arg) &&
+    !byValue.includes(i) &&
     !(
       arg.kind === 'name' &&
       compiler.symbolOf(/** @type {Name} */ (arg))?.kind !== 'variable' &&
@@ -210,8 +215,9 @@ function compileArgument(arg, symbol, i, compiler) {
     );
   if (isVariable && wanted?.kind === given.kind) return compileReference(arg, compiler);
   const value = compileExpression(arg, compiler);
-  return (m, f) => ({
-    holder: { value: copied(value(m, f)) },
-    key: 'value',
-  });
+  const fit = wanted && isPosition(wanted) ? wanted.kind : null;
+  return (m, f) => {
+    const own = copied(value(m, f));
+    return { holder: { value: fit ? asPosition(own, fit) : own }, key: 'value' };
+  };
 }

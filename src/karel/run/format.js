@@ -35,10 +35,22 @@ function realDigits(value, decimals) {
   return short.includes('.') ? short : `${short}.0`;
 }
 
-/** As CNV_REAL_STR gives it: a leading blank, and no zero before the point (seen in programs that take both away). @param {number} value @param {number} length @param {number} decimals */
+/**
+ * As CNV_REAL_STR gives it: a leading blank, no zero before the point (seen in programs that take both away). What happens to
+ * the digits behind is told by no document; public suites that were run on controllers have 3.142 of pi and -6.70 of -6.6982,
+ * but .437 of .43755 and -.098 of -.09874: rounded from 1 on, cut below.
+ * @param {number} value @param {number} length @param {number} decimals
+ */
 export function convertedReal(value, length, decimals) {
-  const digits = value.toFixed(Math.min(Math.max(decimals, 0), 20)).replace(/^(-?)0\./, '$1.');
+  const places = Math.min(Math.max(decimals, 0), 14);
+  const digits = (Math.abs(value) < 1 ? cutDecimals(value, places) : value.toFixed(places)).replace(/^(-?)0\./, '$1.');
   return ` ${digits}`.padStart(length);
+}
+
+/** A REAL is good for seven digits; those behind the wanted ones are left out. @param {number} value @param {number} places */
+function cutDecimals(value, places) {
+  const exact = Number(value.toPrecision(7)).toFixed(14);
+  return exact.slice(0, exact.indexOf('.') + (places > 0 ? places + 1 : 0));
 }
 
 /** As CNV_INT_STR gives it: a leading blank. @param {number} value @param {number} length @param {number} base */

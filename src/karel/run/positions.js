@@ -3,19 +3,34 @@
  */
 import { compose, invert } from '../../kinematics/pose.js';
 import { poseFromRollPitchYaw, rollPitchYawOf } from '../../kinematics/orientation.js';
-import { Alarm, single } from './values.js';
+import { Alarm, list, single } from './values.js';
 
-const DEGREE = Math.PI / (2 * 90);
+const HALF_TURN = 2 * 90;
+const DEGREE = Math.PI / HALF_TURN;
 export const radians = (/** @type {number} */ degrees) => degrees * DEGREE;
 export const degrees = (/** @type {number} */ angle) => angle / DEGREE;
+
+/** A Cartesian position has ten numbers, one of joints an axis each, nine at most. @param {unknown} position */
+export const isJoints = (position) => Array.isArray(position) && position.length < 10;
+
+/** A position as one of the kind that is wanted. @param {unknown} position @param {string} kind */
+export function asPosition(position, kind) {
+  if (position === undefined || isJoints(position) === (kind === 'JOINTPOS')) return position;
+  list(position);
+  throw new Alarm(
+    'joints and Cartesian positions become each other by the kinematics of an arm, of which nothing is known here',
+    'kinematics',
+  );
+}
 
 /** @param {readonly number[]} position x y z w p r … */
 export const poseOf = ([x, y, z, w, p, r]) => poseFromRollPitchYaw([x, y, z], [w, p, r].map(radians));
 
-/** @param {Float64Array} T @param {number} config */
+/** Half a turn about z is -180, about x 180, in what public suites expect of controllers. @param {Float64Array} T @param {number} config */
 export function positionOf(T, config) {
-  const angles = rollPitchYawOf(T).map(degrees);
-  return [T[12], T[13], T[14], ...angles, config, 0, 0, 0].map((value, i) => (i === 6 ? value : single(value)));
+  const [w, p, r] = rollPitchYawOf(T).map((angle) => single(degrees(angle)));
+  const place = [T[12], T[13], T[14]].map(single);
+  return [...place, w === -HALF_TURN ? HALF_TURN : w, p, r === HALF_TURN ? -HALF_TURN : r, config, 0, 0, 0];
 }
 
 /** `frame : position` @param {readonly number[]} frame @param {readonly number[]} position */
@@ -63,21 +78,20 @@ export const CONFIG_BITS = /** @type {Readonly<Record<string, number>>} */ ({
   CFG_FRONT: 27,
 });
 
+/** The letters of a configuration, two of a kind; they are met in any order. */
+const LETTERS = ['FN', 'LR', 'UD', 'TB'];
+
 /** @param {string} source as 'N U T, 0, 0, 0' @returns {number | null} */
 export function configOf(source) {
-  const match =
-    /^\s*([FN]?)\s*([LR]?)\s*([UD]?)\s*([TB]?)\s*(?:,\s*(-?\d+)\s*)?(?:,\s*(-?\d+)\s*)?(?:,\s*(-?\d+)\s*)?$/i.exec(
-      source,
-    );
-  if (!match) return null;
-  const [flip, left, up, front] = match.slice(1, 5).map((letter) => letter.toUpperCase());
-  const turns = match.slice(5, 8).map((digits) => Number(digits ?? 0) & 255);
-  const bits =
-    (Number(flip === 'F') << 24) |
-    (Number(left === 'L') << 25) |
-    (Number(up === 'U') << 26) |
-    (Number(front === 'T') << 27);
-  return bits | turns[0] | (turns[1] << 8) | (turns[2] << 16);
+  const [letters, ...turns] = source.split(',').map((part) => part.trim());
+  const given = letters.toUpperCase().split(/\s*/).filter(Boolean);
+  const kinds = given.map((letter) => LETTERS.findIndex((kind) => kind.includes(letter)));
+  if (kinds.includes(-1) || new Set(kinds).size < kinds.length) return null;
+  if (turns.length > 3 || !turns.every((turn) => /^-?\d+$/.test(turn))) return null;
+  return (
+    given.reduce((bits, letter) => bits | (Number('FLUT'.includes(letter)) << (24 + 'FLUT'.indexOf(letter))), 0) |
+    turns.reduce((bits, turn, i) => bits | ((Number(turn) & 255) << (8 * i)), 0)
+  );
 }
 
 /** @param {number} config */

@@ -9,6 +9,7 @@ import { fieldOf, UNKNOWN } from '../check/types.js';
 import { put } from './builtinsMath.js';
 import { asRecord, elementAt, fieldAt } from './places.js';
 import { linkedProgram } from './programs.js';
+import { keyOfText } from './systemVariables.js';
 import { Alarm, copied, single, text } from './values.js';
 
 /** Status: no such variable; one that was never set; a value of another type. */
@@ -24,7 +25,7 @@ const NO_FRAME = /** @type {Frame} */ ({ code: 0, pc: 0, locals: [], result: -1 
 
 /** @param {Machine} machine @param {string} program @param {string} name both in capitals @returns {{ at: Reference, type: Type } | null} */
 function variableNamed(machine, program, name) {
-  if (program === SYSTEM) return { at: { holder: machine.state.system, key: name }, type: UNKNOWN };
+  if (program === SYSTEM) return { at: { holder: machine.state.system, key: keyOfText(name) }, type: UNKNOWN };
   const index = linkedProgram(machine, program);
   const [first, ...steps] = /^\w+(\.\w+|\[\s*\d+(\s*,\s*\d+)*\s*\])*$/.test(name)
     ? (name.match(/\.?\w+|\[[^\]]*\]/g) ?? [])

@@ -2,7 +2,7 @@
  * Any KAREL tree that the parser could have given, and text that is nearly KAREL.
  *
  * @import { Arbitrary, LetrecLooselyTypedTie } from 'fast-check'
- * @import { Declaration, Designator, Expression, Program, Statement } from '../../../src/karel/tree.js'
+ * @import { Call, Declaration, Designator, Expression, Program, Statement } from '../../../src/karel/tree.js'
  */
 import fc from 'fast-check';
 import { binary, call, integer, name, real, string, unary } from '../../../src/karel/tree.js';
@@ -21,6 +21,12 @@ const port = fc
 
 /** @param {unknown} target @param {Expression[]} indices @returns {Designator} */
 const index = (target, indices) => ({ kind: 'index', target: /** @type {Designator} */ (target), indices });
+
+/** The variables of every second place in parentheses. @param {Call} node @returns {Call} */
+function withCopies(node) {
+  const byValue = node.args.flatMap(({ kind }, i) => (i % 2 === 0 && /^(name|index|field)$/.test(kind) ? [i] : []));
+  return byValue.length ? { ...node, byValue } : node;
+}
 
 /** Whatever the loose types of a recursive arbitrary are, the tree that comes out is one. @template T @param {Arbitrary<unknown>} arbitrary */
 const as = (arbitrary) => /** @type {Arbitrary<T>} */ (arbitrary);
@@ -44,7 +50,7 @@ const { expression, designator } = fc.letrec((/** @type {LetrecLooselyTypedTie} 
       ),
     fc
       .tuple(anyName, fc.array(tie('expression'), { minLength: 1, maxLength: 3 }))
-      .map(([callee, args]) => call(callee, /** @type {Expression[]} */ (args))),
+      .map(([callee, args]) => withCopies(call(callee, /** @type {Expression[]} */ (args)))),
     tie('designator'),
   ),
   designator: fc.oneof(
@@ -108,7 +114,7 @@ const { statement } = fc.letrec((/** @type {LetrecLooselyTypedTie} */ tie) => {
         node('assign', { target, value: one }),
         fc
           .tuple(fc.constantFrom('f', 'POST_ERR'), fc.array(one, { maxLength: 3 }))
-          .map(([callee, args]) => call(callee, args)),
+          .map(([callee, args]) => withCopies(call(callee, args))),
         node('label', { name: anyName }),
         node('goto', { label: anyName }),
         node('return', {}, { value: one }),

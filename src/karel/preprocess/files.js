@@ -1,0 +1,16 @@
+/** A file by its name, or by the end of its path; \ and / are the same. @param {Readonly<Record<string, string>>} files @param {string} name */
+export function fileNamed(files, name) {
+  const wanted = name.replaceAll('\\', '/').toLowerCase();
+  const isIt = (/** @type {string} */ key) => {
+    const path = key.replaceAll('\\', '/').toLowerCase();
+    return (
+      path === wanted ||
+      path === `${wanted}.kl` ||
+      path.endsWith(`/${wanted}`) ||
+      wanted.endsWith(`/${path}`) ||
+      wanted.endsWith(`/${path.replace(/\.kl$/, '')}`)
+    );
+  };
+  const key = Object.keys(files).find(isIt);
+  return key === undefined ? undefined : files[key];
+}

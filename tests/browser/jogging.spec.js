@@ -168,6 +168,9 @@ test('what is held moves by the clock until it is let go, is one step to undo, a
   await page.mouse.down();
   await expect.poll(async () => (await ticks(5, 1 / 10), page.locator('.jog-word').textContent()), { intervals: [10] }).toContain('Stopped: J'); // prettier-ignore
   await page.mouse.up();
+  await page.keyboard.press('Control+z'); // what was said of the limit is not true of where the arm is now
+  await ticks(2);
+  await expect(page.locator('.jog-word')).toHaveText('');
 
   // It runs into singularities from outside: past a wrist that is almost straight it slows down, and an elbow that gets
   // straight is the end; no joint goes faster than it may in any frame.

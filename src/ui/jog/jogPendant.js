@@ -48,7 +48,18 @@ export function createJogPendant(page, host) {
     ),
   );
 
-  const motion = createJogMotion(page, (progress) => say(inWords(progress)));
+  let saidOf = store.state.doc.posture;
+  const motion = createJogMotion(page, (progress) => {
+    saidOf = store.state.doc.posture;
+    say(inWords(progress));
+  });
+  // What was said of a posture is not true of the next, wherever that came from.
+  addView(
+    ({ doc }) => doc.posture,
+    (posture) => {
+      if (!motion.isHeld && posture !== saidOf) say(['', false]);
+    },
+  );
 
   /** @param {Progress} progress @returns {[text: string, isStop: boolean]} */
   function inWords({ stop, isSlow, isTilting }) {

@@ -33,6 +33,7 @@
  * @property {boolean} isHeld   the hand is still on it
  *
  * @typedef {JogStop & { readonly posture: readonly number[] }} JogEnd
+ * @typedef {{ readonly hindrance: Hindrance, readonly posture: readonly number[] }} DragEnd
  *
  * @typedef {object} Session
  * @property {Panel} panel      the one that is open, where the screen has room for one only
@@ -53,6 +54,7 @@
  * @property {Handle} handle    on the tool, to drag it by; it stays when another document is opened
  * @property {'move' | 'turn' | null} toolKeys  what arrow keys in the view do to the tool, once it is taken
  * @property {ToolDrag | null} drag  of the tool, under way
+ * @property {DragEnd | null} dragEnd  what the last drag stopped at, for as long as the arm stands where that left it
  * @property {JogEnd | null} jogEnd  what the pendant stopped at, for as long as the arm stands there
  * @property {number | null} pointedLink  the joint that moves the link under the pointer
  * @property {JogChoices} jog  how the arm is jogged
@@ -109,6 +111,7 @@ const FRESH = {
   handle: FIRST_HANDLE,
   toolKeys: null,
   drag: null,
+  dragEnd: null,
   jogEnd: null,
   pointedLink: null,
   jog: FIRST_JOG,

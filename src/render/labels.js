@@ -22,16 +22,18 @@ const SAME_PLACE = 48; // pixels
  * @property {boolean} aside          not beyond `at` but beside it, on the upper side
  * @property {boolean} visible
  * @property {boolean} yields         it may go farther out or aside, not to lie on another
- * @property {boolean} stays          inside the picture; beside a line that leaves it, where the line does
+ * @property {boolean} stays          inside what is free of the picture; beside a line that leaves it, where the line does
  * @property {(text: string | LabelText) => void} write
  * @property {() => void} remove
  */
 
 /** @typedef {{ add: (className: string) => Label }} LabelLayer  all that marks need to know of it */
 
+/** @typedef {{ left: number, top: number, width: number, height: number }} Free  of the picture, from its left upper corner on */
+
 /**
  * @param {HTMLElement} host
- * @returns {LabelLayer & { place: (camera: Camera, width: number, height: number) => void, dispose: () => void }}
+ * @returns {LabelLayer & { place: (camera: Camera, width: number, height: number, free?: Free | null) => void, dispose: () => void }}
  */
 export function createLabels(host) {
   const layer = document.createElement('div');
@@ -92,7 +94,8 @@ export function createLabels(host) {
       return label;
     },
 
-    place(camera, width, height) {
+    place(camera, width, height, free = null) {
+      const room = free ? [free.left + free.width, free.top + free.height] : [width, height];
       const seen = [...tags].filter(([{ visible, at, parent }, { element }]) => {
         const isSeen = visible && Math.abs(project(at, parent, camera, point).z) < 1;
         const display = isSeen ? '' : 'none';
@@ -111,7 +114,7 @@ export function createLabels(host) {
         if (from) {
           project(from, parent, camera, away);
           const [fromX, fromY] = [((away.x + 1) / 2) * width, ((1 - away.y) / 2) * height];
-          if (aside && stays) [x, y] = withinPicture(fromX, fromY, x, y, width, height);
+          if (aside && stays) [x, y] = withinPicture(fromX, fromY, x, y, room[0], room[1]);
           const [dx, dy] = [x - fromX, y - fromY];
           const distance = Math.hypot(dx, dy) || 1;
           [east, south] = aside ? [dy / distance, -Math.abs(dx) / distance] : [dx / distance, dy / distance];
@@ -125,7 +128,7 @@ export function createLabels(host) {
         const isSaid =
           places[i].yields && seen.some(([, other], k) => k < i && other.text === text && near(places[k], places[i]));
         element.style.display = isSaid ? 'none' : '';
-        const { left, top } = stays ? inside(box, width, height) : box;
+        const { left, top } = stays ? inside(box, room[0], room[1]) : box;
         element.style.transform = `translate(${left.toFixed(1)}px, ${top.toFixed(1)}px)`;
       });
     },

@@ -92,7 +92,7 @@ export function createStage({ host, clock, quality, text, isCalm = () => false, 
       scene.face(eye);
       if (!surface.draw(scene.scene, view.camera, castsAnew)) return;
       castsAnew = false;
-      labels.place(view.camera, surface.width, surface.height);
+      labels.place(view.camera, surface.width, surface.height, view.free);
       onDraw({ ...eye, ...view.viewpoint() });
     } catch (error) {
       isBroken = true;

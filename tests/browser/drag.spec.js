@@ -175,6 +175,14 @@ test('keys alone take the tool, move it, turn it and give it back; a step is one
   await page.keyboard.press('PageUp');
   await settled(page);
   (await tool(page)).forEach((value, i) => expect(value).toBeCloseTo(moved[i], 8));
+  const turned = await joints(page);
+  await page.keyboard.press('r');
+  await page.evaluate(() => window.denavit.setJoints([0, 0, -90, 0, 40, 0])); // an elbow that is almost straight
+  for (let i = 0; i < 3; i++) await page.keyboard.press('ArrowRight');
+  await expect(page.locator('.drag-line span')).toHaveText(/^Edge of the reach: \d+ mm short\.$/); // and stays to be read
+  await page.evaluate(() => window.denavit.undo());
+  await expect(page.locator('.drag-line')).not.toContainText('Edge');
+  while (!(await joints(page)).every((value, i) => Math.abs(value - turned[i]) < 1e-9)) await page.evaluate(() => window.denavit.undo()); // prettier-ignore
   await page.keyboard.press('Escape');
   await expect(page.locator('.drag-line')).toBeHidden();
   await page.keyboard.press('ArrowRight'); // goes round the arm again

@@ -246,6 +246,10 @@ test('keys alone: a frame, a typed step, a step each way, and joints', async ({ 
   await button(page, 'Joints').focus();
   await page.keyboard.press('Tab');
   await page.keyboard.press('Enter');
+  await expect(page.locator('.jog-key')).toHaveCount(12);
+  const [[, , , x]] = await pose(page);
+  await page.keyboard.press('1'); // right where the focus is
+  expect((await pose(page))[0][3] - x).toBeCloseTo(0.01, 8);
   const size = page.getByLabel('Step of the tool’s place, millimetres');
   await size.focus();
   await page.keyboard.type('2000');

@@ -96,8 +96,9 @@ export function createToolKeys({ store, derived }, { canvas, room, run, isWide, 
     down.clear();
     if (isHeld() || !run.isGoing) return;
     const { drag } = session();
-    if (drag?.hindrance && drag.hindrance.kind !== 'part' && run.lastMet) run.aimAt(run.lastMet);
-    run.letGo();
+    const stoppedBy = drag?.hindrance && drag.hindrance.kind !== 'part' ? drag.hindrance : null;
+    if (stoppedBy && run.lastMet) run.aimAt(run.lastMet);
+    run.letGo(stoppedBy);
   }
 
   /** While another of its keys is down, the tool is still being moved. @param {KeyboardEvent} event */

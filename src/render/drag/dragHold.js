@@ -109,7 +109,7 @@ export function createHolds({ store, derived }, { stage, handle, run, links, isV
         const goal = handle.sight && goalAt?.(handle.sight, ...placeOf(event), doesSnap(event));
         if (goal) run.aimAt(goal);
       },
-      end: run.letGo,
+      end: () => run.letGo(),
       cancel: run.cancel,
     };
   }

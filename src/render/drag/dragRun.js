@@ -5,7 +5,7 @@
  *
  * @import { Clock } from '../../model/clock.js'
  * @import { Derived } from '../../model/derived.js'
- * @import { Following } from '../../model/aim/follow.js'
+ * @import { Following, Hindrance } from '../../model/aim/follow.js'
  * @import { Action, AppState } from '../../model/session.js'
  * @import { Store } from '../../model/store.js'
  */
@@ -30,6 +30,7 @@ export function createDragRun({ store, clock, derived, onStep }) {
    * @property {Float64Array} goal
    * @property {Float64Array} lastMet       the last goal that was met, or where the tool stood
    * @property {boolean} isLetGo
+   * @property {Hindrance | null} stoppedBy  what it was that the arm goes back from, once it is let go of
    * @property {number} frames
    */
   /** @type {Run | null} */
@@ -43,10 +44,12 @@ export function createDragRun({ store, clock, derived, onStep }) {
 
   function finish() {
     if (!run) return;
-    const { gesture } = run;
+    const { gesture, following } = run;
+    const stoppedBy = run.stoppedBy ?? hindranceOf(following);
     run = null;
     if (store.state.gesture?.id === gesture) store.dispatch({ type: 'end-gesture' });
-    store.dispatch({ type: 'show', change: { drag: null } });
+    const dragEnd = stoppedBy && { hindrance: stoppedBy, posture: store.state.doc.posture };
+    store.dispatch({ type: 'show', change: { drag: null, dragEnd } });
   }
 
   function step() {
@@ -99,7 +102,16 @@ export function createDragRun({ store, clock, derived, onStep }) {
       const goal = derived.tcp(doc);
       const following = startFollowing(doc, derived.chain(doc), session.numbers.keepsLimits);
       const gesture = `drag-${++count}`;
-      run = { gesture, following, posture: doc.posture, goal, lastMet: goal, isLetGo: false, frames: 0 };
+      run = {
+        gesture,
+        following,
+        posture: doc.posture,
+        goal,
+        lastMet: goal,
+        isLetGo: false,
+        stoppedBy: null,
+        frames: 0,
+      };
     },
 
     /** @param {Float64Array} T_world_goal */
@@ -109,10 +121,10 @@ export function createDragRun({ store, clock, derived, onStep }) {
       ask();
     },
 
-    /** The hand is off. */
-    letGo() {
+    /** The hand is off. @param {Hindrance | null} [stoppedBy]  what is still to be said of it when the arm has come to rest */
+    letGo(stoppedBy = null) {
       if (!run) return;
-      run.isLetGo = true;
+      Object.assign(run, { isLetGo: true, stoppedBy });
       if (!isDue) finish();
     },
 

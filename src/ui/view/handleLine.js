@@ -55,9 +55,15 @@ export function createHandleLine({ addView, announce }, bar, poseInWords) {
 
   let said = ''; // of what stands in the way: once, however the numbers change
   addView(
-    together(({ doc, session }) => [doc.robot, session.drag, session.toolKeys, session.handle.across]),
-    ([robot, drag, toolKeys, across]) => {
-      const hindrance = drag?.hindrance;
+    together(({ doc, session }) => [
+      doc.robot,
+      // a step by keys is over at once: what stopped it stays to be read for as long as the arm stays
+      session.drag?.hindrance ??
+        (session.toolKeys && session.dragEnd?.posture === doc.posture && session.dragEnd.hindrance),
+      session.toolKeys,
+      session.handle.across,
+    ]),
+    ([robot, hindrance, toolKeys, across]) => {
       const text = hindrance ? hindranceInWords(robot, hindrance) : toolKeys ? words.takenShort[toolKeys](across) : '';
       line.hidden = text === '';
       line.classList.toggle('is-stopped', Boolean(hindrance));

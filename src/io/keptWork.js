@@ -10,7 +10,7 @@
  *
  * @import { Doc } from '../model/document.js'
  */
-import { fingerprint } from './fingerprint.js';
+import { fingerprint } from '../model/fingerprint.js';
 import { writeRobotXml } from './robotXmlWriter.js';
 
 /** Of the names under which work is kept. What follows is the visit's own, a point, and a number. */

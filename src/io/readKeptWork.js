@@ -7,7 +7,7 @@
  * @typedef {{ key: string, state: 'work', at: string, doc: Doc, look: Look, file: string }} KeptWork
  * @typedef {{ key: string, state: 'newer' | 'damaged', file: string }} SpoiltWork  `file`: what there is of it
  */
-import { fingerprint } from './fingerprint.js';
+import { fingerprint } from '../model/fingerprint.js';
 import { readLook } from './readLook.js';
 import { readRobotXml } from './robotXml.js';
 import { writeRobotXml } from './robotXmlWriter.js';

@@ -17,7 +17,7 @@
  * @property {Look} look
  */
 import { fileIssue } from './fileIssues.js';
-import { fingerprint } from './fingerprint.js';
+import { fingerprint } from '../model/fingerprint.js';
 import { readLook } from './readLook.js';
 import { pack, unpack } from './pack.js';
 import { readRobotXml } from './robotXml.js';

@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { deflateRawSync, inflateRawSync } from 'node:zlib';
 import { expect, test } from 'vitest';
 import { fromBase64url, toBase64url } from '../../../src/io/base64url.js';
-import { fingerprint } from '../../../src/io/fingerprint.js';
+import { fingerprint } from '../../../src/model/fingerprint.js';
 import { libraryQuery } from '../../../src/io/libraryLink.js';
 import { LINK_DICTIONARY } from '../../../src/io/linkDictionary.js';
 import { writeLook } from '../../../src/io/look.js';

@@ -1,0 +1,58 @@
+/**
+ * What a file of code says to the person who opens it: what it does, in which units and frames, and what nobody has checked.
+ *
+ * @import { NeutralProgram, WriteNote } from './neutral.js'
+ */
+import { axisUnits } from '../fanucHeader.js';
+import { plainText, wrapped } from '../plainText.js';
+import { movesOf, ROUNDING } from './neutral.js';
+
+const WIDTH = 76;
+const LONGEST_NAME = 64;
+
+/** @param {NeutralProgram} program */
+export const titleOf = ({ name, robotName }) =>
+  `${plainText(robotName, LONGEST_NAME) || 'Robot'}: ${plainText(name, LONGEST_NAME) || 'program'}`;
+
+/**
+ * Lines for a comment, without its signs.
+ * @param {NeutralProgram} program
+ * @param {object} about
+ * @param {string} about.does         what this file does, and with which others
+ * @param {string} about.world        what frame 0 is on this controller
+ * @param {readonly WriteNote[]} about.notes
+ * @returns {string[]}
+ */
+export function headerLines(program, { does, world, notes }) {
+  const { version, generatedAt, convention, slides, frames, check = [] } = program;
+  const paragraph = (/** @type {string} */ text) => wrapped(plainText(text), WIDTH);
+  const moves = movesOf(program);
+  return [
+    titleOf(program),
+    `Written by Denavit ${plainText(version)}, ${plainText(generatedAt)}`,
+    '',
+    ...paragraph(
+      'CAUTION. No controller has run this code. Read it, compare the numbers with the teach pendant, and check it at low ' +
+        'speed before running it.',
+    ),
+    '',
+    ...paragraph(does),
+    '',
+    ...paragraph(
+      `${moves.length} moves. Positions in mm and degrees: x y z, then turns about the fixed x, y, z. ${world}`,
+    ),
+    ...frames.map(frameText),
+    ...paragraph(`Joint values, ${axisUnits(slides)}, as the teach pendant shows them${convention.length ? ':' : '.'}`),
+    ...convention.flatMap((line) => wrapped(plainText(line), WIDTH - 2).map((text) => `  ${text}`)),
+    ...paragraph(`All are rounded to 3 decimals, by at most ${ROUNDING}.`),
+    ...(notes.length > 0 ? ['', ...notes.flatMap(({ message }) => paragraph(`Note: ${message}`))] : []),
+    ...(check.length > 0 ? ['', ...check] : []),
+  ];
+}
+
+/** @param {NeutralProgram['frames'][number]} frame */
+function frameText({ kind, number, name, position }) {
+  const what = kind === 'user' ? 'User frame' : 'Tool';
+  const values = position.map((value) => String(Number(value.toFixed(3)) + 0)).join(', ');
+  return `  ${what} ${number}, "${plainText(name, 20)}": ${values}`;
+}

@@ -1,0 +1,138 @@
+/**
+ * A program as KAREL that moves by itself, for controllers up to R-J3iB. Later ones deprecate MOVE, or have none.
+ *
+ * @import { Expression, Statement } from '../tree.js'
+ * @import { NeutralMove, NeutralProgram, NeutralStep, NeutralTarget, WriteNote, WriteOptions, Written } from './neutral.js'
+ */
+import { fanucNames } from '../fanucNames.js';
+import { printKarel } from '../printer.js';
+import { binary, call, integer, name, real } from '../tree.js';
+import { headerLines } from './header.js';
+import { assign, comment, karelProgram, OWN, targetParts } from './karelParts.js';
+import { isWrittenAsPosition, missingConfigurations, movesOf } from './neutral.js';
+
+const MOTION = { joint: 'JOINT', linear: 'LINEAR', circular: 'CIRCULAR' };
+
+const NAMES = { target: 'target_n', via: 'via_n', index: 'prog_idx' };
+
+/** @param {NeutralProgram} program @param {WriteOptions} [options] @returns {Written} */
+export function writeKarelMove(program, { programName = program.name } = {}) {
+  const own = fanucNames(programName, [...Object.values(OWN), ...Object.values(NAMES)]).karel;
+  /** @type {WriteNote[]} */
+  const notes = [
+    {
+      ...{ severity: 'warning', code: 'deprecated-move' },
+      message:
+        'KAREL MOVE is for R-J3iB and older controllers. Later ones deprecate it, may move unexpectedly, or refuse it.',
+    },
+    ...missingConfigurations(program, 'fanuc'),
+    {
+      ...{ severity: 'note', code: 'unverified-move' },
+      message:
+        'How corners are rounded ($DECELTOL), and that joint speeds follow $SPEED, is not verified; accelerations are not written.',
+    },
+  ];
+  let [userFrame, tool] = [-1, -1];
+  const body = program.steps.flatMap((step) => {
+    if (step.kind !== 'move') return otherStep(step);
+    const frames = [
+      ...(step.userFrame === userFrame ? [] : frameStatements('UFRAME', 'MNUFRAME', step.userFrame)),
+      ...(step.tool === tool ? [] : frameStatements('UTOOL', 'MNUTOOL', step.tool)),
+    ];
+    [userFrame, tool] = [step.userFrame, step.tool];
+    return [...(step.comment ? [comment(step.comment)] : []), ...frames, ...moveStatements(step)];
+  });
+  const header = headerLines(program, {
+    does: 'For R-J3iB and older: this program moves by itself, with MOVE. It holds motion group 1 while it runs.',
+    world: 'User frame 0 is the world of the model, at the height of J2; tool 0 is the flange.',
+    notes,
+  });
+  const tree = karelProgram(own, program, header, [], variablesFor(program), [], body);
+  return { files: [{ name: `${own}.kl`, language: 'karel', text: printKarel(tree) }], notes };
+}
+
+/** @param {NeutralMove} move @returns {Statement[]} */
+function moveStatements({ motion, target, via, speed, ending }) {
+  const to = placed(target, NAMES.target);
+  const past = via && placed(via, NAMES.via, OWN.via);
+  /** @type {[string, Expression][]} */
+  const settings = [
+    ['MOTYPE', name(MOTION[motion])],
+    ['TERMTYPE', name(ending.kind === 'fine' ? 'FINE' : ending.kind === 'percent' ? 'VARDECEL' : 'NODECEL')],
+    ...(ending.kind === 'percent'
+      ? [/** @type {[string, Expression]} */ (['DECELTOL', integer(Math.round(ending.value))])]
+      : []),
+    [speed.unit === 'deg/s' ? 'ROTSPEED' : 'SPEED', real(speed.value, 1)],
+  ];
+  return [
+    ...(past?.before ?? []),
+    ...to.before,
+    {
+      kind: 'move',
+      settings: settings.map(([variable, value]) => ({ variable: { kind: 'system', name: variable }, value })),
+      target: { to: 'TO', position: to.value, ...(past && { via: past.value }) },
+    },
+  ];
+}
+
+/** @param {NeutralTarget} target @param {string} variable  of a position @param {string} [joints]  likewise */
+function placed(target, variable, joints) {
+  const { before, value, isJoint } = targetParts(target, joints);
+  if (isJoint) return { before, value };
+  return { before: [...before, assign(name(variable), value)], value: name(variable) };
+}
+
+/** Only those that are used. @param {NeutralProgram} program */
+function variablesFor(program) {
+  const moves = movesOf(program);
+  const vias = moves.flatMap(({ via }) => (via ? [via] : []));
+  const isPosition = (/** @type {NeutralTarget} */ target) => isWrittenAsPosition(target, 'fanuc');
+  /** @type {[boolean, string, string][]} */
+  const all = [
+    [moves.some(({ target }) => isPosition(target)), NAMES.target, 'XYZWPR'],
+    [vias.some(isPosition), NAMES.via, 'XYZWPR'],
+    [!vias.every(isPosition), OWN.via, 'JOINTPOS'],
+    [program.steps.some(({ kind }) => kind === 'call'), NAMES.index, 'INTEGER'],
+  ];
+  return all.flatMap(([isUsed, one, type]) => (isUsed ? [{ names: [one], type }] : []));
+}
+
+/** The chosen frame, by its number and its place. @param {string} own @param {string} table @param {number} index @returns {Statement[]} */
+function frameStatements(own, table, index) {
+  const group = (/** @type {Expression} */ target, /** @type {string} */ field) =>
+    /** @type {Expression} */ ({ kind: 'field', target, name: field, system: true });
+  const indexed = (/** @type {string} */ variable, /** @type {number[]} */ ...indices) =>
+    /** @type {Expression} */ ({
+      kind: 'index',
+      target: { kind: 'system', name: variable },
+      indices: indices.map(integer),
+    });
+  return [
+    assign(indexed(`${table}NUM`, 1), integer(index)),
+    assign(
+      group(indexed('GROUP', 1), own),
+      index === 0 ? group(indexed('MOR_GRP', 1), 'NILPOS') : indexed(table, 1, index),
+    ),
+  ];
+}
+
+/** @param {Exclude<NeutralStep, NeutralMove>} step @returns {Statement[]} */
+function otherStep(step) {
+  switch (step.kind) {
+    case 'wait':
+      return [{ kind: 'delay', milliseconds: integer(Math.round(step.seconds * 10 ** 3)) }];
+    case 'output':
+      return [assign(port('DOUT', step.port), name(step.value ? 'ON' : 'OFF'))];
+    case 'input':
+      return [
+        { kind: 'wait', conditions: { terms: [binary(port('DIN', step.port), '=', name(step.value ? 'ON' : 'OFF'))] } },
+      ];
+    case 'call':
+      return [call('CALL_PROG', [{ kind: 'string', value: step.program }, name(NAMES.index)])];
+    case 'comment':
+      return [comment(step.text)];
+  }
+}
+
+/** @param {string} bank @param {number} index @returns {Expression} */
+const port = (bank, index) => ({ kind: 'index', target: name(bank), indices: [integer(index)] });

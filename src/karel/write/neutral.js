@@ -1,0 +1,90 @@
+/**
+ * A motion program as controllers want it, in no controller's language: joint values as the pendant counts them, poses in the
+ * user frame and with the tool that are chosen, lengths in mm, angles in degrees. Writers make code of it.
+ *
+ * @typedef {object} NeutralProgram
+ * @property {string} name          what a person called it
+ * @property {string} robotName
+ * @property {string} version       of the software that writes
+ * @property {string} generatedAt   ISO 8601, shown as it stands
+ * @property {readonly string[]} convention    how pendant values come from the model's
+ * @property {readonly boolean[]} slides       for each axis
+ * @property {readonly NeutralFrame[]} frames  that the moves use; 0, the world and the flange, is not among them
+ * @property {readonly NeutralStep[]} steps
+ * @property {readonly string[]} [check]       lines for the header, at most 32 characters each: what was checked, and of what
+ *
+ * @typedef {{ kind: 'user' | 'tool', number: number, name: string, position: readonly number[] }} NeutralFrame  x y z w p r
+ *
+ * @typedef {object} NeutralTarget
+ * @property {readonly number[]} joints
+ * @property {readonly number[]} position     x y z w p r
+ * @property {string | null} fanuc            the configuration, as 'N U T, 0, 0, 0'
+ * @property {{ status: number, turn: number } | null} kuka
+ * @property {boolean} isJoint                whether the program has joint values here
+ * @property {string} [reason]                why there is no configuration
+ *
+ * @typedef {{ kind: 'fine' } | { kind: 'percent' | 'distance', value: number }} NeutralEnding  distance: mm
+ * @typedef {object} NeutralMove
+ * @property {'move'} kind
+ * @property {'joint' | 'linear' | 'circular'} motion
+ * @property {NeutralTarget} target
+ * @property {NeutralTarget} [via]
+ * @property {{ value: number, unit: '%' | 'mm/s' | 'deg/s' }} speed
+ * @property {number} acceleration   %
+ * @property {NeutralEnding} ending
+ * @property {number} userFrame
+ * @property {number} tool
+ * @property {string} [comment]
+ * @property {number} step           of the program, from 0; −1: the way to where it begins
+ *
+ * @typedef {{ kind: 'wait', seconds: number }} NeutralWait
+ * @typedef {{ kind: 'output' | 'input', port: number, value: boolean }} NeutralSignal
+ * @typedef {{ kind: 'call', program: string }} NeutralCall    of a program that only the controller has
+ * @typedef {{ kind: 'comment', text: string }} NeutralComment
+ * @typedef {NeutralMove | NeutralWait | NeutralSignal | NeutralCall | NeutralComment} NeutralStep
+ *
+ * @typedef {object} WriteOptions
+ * @property {string} [programName]
+ * @property {number} [firstRegister]   of the pair: position registers from this one on; default 1
+ *
+ * @typedef {{ name: string, language: 'karel' | 'fanuc-tp' | 'krl', text: string }} CodeFile
+ * @typedef {{ severity: 'note' | 'warning', code: string, message: string, step?: number }} WriteNote   note: what nobody has verified, or what was rounded
+ * @typedef {{ files: CodeFile[], notes: WriteNote[] }} Written
+ */
+
+/** @param {NeutralProgram} program @returns {NeutralMove[]} */
+export const movesOf = ({ steps }) => steps.flatMap((step) => (step.kind === 'move' ? [step] : []));
+
+/** Decimals of positions and joint values in all of the languages, as pendants show them. */
+export const DECIMALS = 3;
+
+/** @param {number} value */
+export const rounded = (value) => Number(value.toFixed(DECIMALS)) + 0;
+
+/** What rounding a target costs at most: mm in space and degrees, of a position; degrees or mm of a joint value. */
+export const ROUNDING = 0.5 * 10 ** -DECIMALS;
+
+/** Whether a target is written as a position, for a language whose configurations are under `code`. @param {NeutralTarget} target @param {'fanuc' | 'kuka'} code */
+export const isWrittenAsPosition = (target, code) => !target.isJoint && target[code] !== null;
+
+/**
+ * Targets that become joint values though the program has poses there: each reason once.
+ * @param {NeutralProgram} program
+ * @param {'fanuc' | 'kuka'} code
+ * @param {(move: NeutralMove) => boolean} [needs]  whether a move's targets need a configuration
+ * @returns {WriteNote[]}
+ */
+export function missingConfigurations(program, code, needs = () => true) {
+  /** @type {WriteNote[]} */
+  const notes = [];
+  for (const move of movesOf(program)) {
+    if (!needs(move)) continue;
+    const without = [move.target, ...(move.via ? [move.via] : [])].find(
+      (target) => !target.isJoint && target[code] === null,
+    );
+    if (!without) continue;
+    const message = `Step ${move.step + 1} goes to joint values: ${without.reason ?? 'its posture has no configuration'}.`;
+    notes.push({ severity: 'note', code: 'no-configuration', message, step: move.step });
+  }
+  return notes;
+}

@@ -1,0 +1,32 @@
+/**
+ * A program as TP alone: its positions stand in the listing.
+ *
+ * @import { TpPosition } from '../tp/tree.js'
+ * @import { NeutralProgram, WriteOptions, Written } from './neutral.js'
+ */
+import { fanucNames } from '../fanucNames.js';
+import { printTp } from '../tp/printer.js';
+import { register } from '../tp/tree.js';
+import { fanucNotes, headRemarks, linesFor, listingFor, motionFor, positionFor } from './fanucMoves.js';
+import { missingConfigurations } from './neutral.js';
+
+/** @param {NeutralProgram} program @param {WriteOptions} [options] @returns {Written} */
+export function writeTp(program, { programName = program.name } = {}) {
+  const name = fanucNames(programName).karel.toUpperCase();
+  /** @type {TpPosition[]} */
+  const positions = [];
+  const lines = linesFor(program, (move) => {
+    const place = (/** @type {typeof move.target} */ target) => {
+      positions.push(positionFor(target, positions.length + 1, move, program));
+      return register('P', positions.length);
+    };
+    const via = move.via && place(move.via);
+    return motionFor(move, place(move.target), via);
+  });
+  const about = ['Frames 0 are the world of the model, at the height of J2, and the flange.'];
+  const listing = listingFor(name, program, [...headRemarks(program, about), ...lines], positions);
+  return {
+    files: [{ name: `${name.toLowerCase()}.ls`, language: 'fanuc-tp', text: printTp(listing) }],
+    notes: [...missingConfigurations(program, 'fanuc'), ...fanucNotes(program)],
+  };
+}

@@ -1,0 +1,170 @@
+/**
+ * What code does, as moves of the arm: the effects of a run (TP, KAREL, KRL) → postures and ways, in the kernel's units. A position
+ * with a configuration, or with S and T, is gone to in that one, full turns included.
+ *
+ * @import { Doc } from '../document.js'
+ * @import { ControllerFrames } from './frameNumbers.js'
+ * @import { FollowedMove } from './followMoves.js'
+ * @import { Effect } from '../../karel/run/machine.js'
+ * @import { Chain } from '../../kinematics/chain.js'
+ * @import { Move } from '../../motion/moves.js'
+ *
+ * @typedef {object} CodeMove
+ * @property {number} line
+ * @property {'joint' | 'linear' | 'circular'} motion
+ * @property {Exclude<Move, { kind: 'wait' }>} kernel
+ * @property {FollowedMove} followed
+ * @property {{ value: number | null, unit: string }} speed
+ * @property {number} userFrame
+ * @property {number} tool
+ * @property {boolean} isJoint
+ * @property {{ kind: string, value?: number }} ending
+ * @property {string | null} configuration   that it asks for
+ */
+import { configOf, configText } from '../../karel/run/positions.js';
+import { allInverseKinematics } from '../../kinematics/allInverse.js';
+import { tcpPose } from '../../kinematics/forward.js';
+import { poseFromRollPitchYaw } from '../../kinematics/orientation.js';
+import { compose } from '../../kinematics/pose.js';
+import { configurationAt } from '../aim/solutions.js';
+import { compilePosture, postureFromKernel } from '../compile.js';
+import { toKernel } from '../units.js';
+import { pendantValues } from './controllerValues.js';
+import { followMove } from './followMoves.js';
+import { postureFromPendant } from './pendantNumbers.js';
+
+const UNITS = /** @type {const} */ ({ length: 'mm', angle: 'deg' });
+const MOTIONS = /** @type {Readonly<Record<string, CodeMove['motion']>>} */ ({
+  J: 'joint',
+  L: 'linear',
+  C: 'circular',
+});
+
+/** Which axes the turn numbers of a FANUC configuration count, from 0. */
+const TURN_AXES = [0, 3, 5];
+const FULL_TURN = 360;
+
+/**
+ * @param {Doc} doc
+ * @param {ControllerFrames} frames
+ * @param {Float64Array} from   where the arm stands
+ * @param {Effect} effect       of kind move
+ * @returns {CodeMove | { message: string }}
+ */
+export function codeMove(doc, frames, from, effect) {
+  const { robot } = doc;
+  const read = /** @type {MoveEffect} */ (/** @type {unknown} */ (effect));
+  const motion = MOTIONS[read.motion];
+  if (!motion) return { message: `a motion of the type ${read.motion} is not followed here` };
+  const chain = frames.chainOf(read.toolFrame);
+  const T_world_user = frames.userPose(read.userFrame);
+  if (!chain) return { message: `tool ${read.toolFrame} is not in the document` };
+  if (!T_world_user) return { message: `user frame ${read.userFrame} is not in the document` };
+  const poseOf = (/** @type {readonly number[]} */ values, /** @type {boolean} */ isJoint) =>
+    isJoint ? tcpPose(chain, jointPosture(values)) : compose(T_world_user, controllerPose(values));
+  function jointPosture(/** @type {readonly number[]} */ values) {
+    return compilePosture(robot, postureFromPendant(robot, values.slice(0, robot.joints.length)));
+  }
+  if (read.isJoint && read.position.length < robot.joints.length)
+    return { message: `${read.position.length} joint values for ${robot.joints.length} joints` };
+  const T_target = poseOf(read.position, read.isJoint);
+  const asked = askedOf(read);
+  /** @type {Float64Array | null} */
+  let posture = null;
+  if (motion === 'joint') {
+    posture = read.isJoint ? jointPosture(read.position) : postureIn(doc, chain, from, T_target, asked);
+    if (!posture)
+      return { message: `the arm has no posture there${asked ? ` in the configuration ${asked.text}` : ''}` };
+  }
+  const manner = /** @type {const} */ ({ acceleration: 1, ending: { kind: 'fine' } });
+  const tool = { T_base_tcp: T_target, speed: 1, turnSpeed: 1, ...manner };
+  /** @type {Exclude<Move, { kind: 'wait' }>} */
+  const kernel = posture
+    ? { kind: 'joint', posture, speed: 1, ...manner }
+    : read.via
+      ? { kind: 'circular', via: poseOf(read.via, read.viaIsJoint === true), ...tool }
+      : { kind: 'linear', ...tool };
+  const followed = followMove(chain, from, kernel);
+  if ('message' in followed) return followed;
+  return {
+    ...{ line: read.line ?? 0, motion, kernel, followed, speed: read.speed, ending: read.termination },
+    ...{ userFrame: read.userFrame, tool: read.toolFrame, isJoint: read.isJoint },
+    configuration: read.isJoint ? null : (asked?.text ?? null),
+  };
+}
+
+/**
+ * @typedef {object} MoveEffect
+ * @property {string} motion
+ * @property {readonly number[]} position
+ * @property {boolean} isJoint
+ * @property {readonly number[]} [via]
+ * @property {boolean} [viaIsJoint]
+ * @property {{ value: number | null, unit: string }} speed
+ * @property {{ kind: string, value?: number }} termination
+ * @property {number} userFrame
+ * @property {number} toolFrame
+ * @property {number} [status]   of KRL
+ * @property {number} [turn]
+ * @property {boolean} [hasStatus]
+ * @property {number} [line]
+ */
+
+/** x y z w p r, mm and degrees → a pose. @param {readonly number[]} values */
+export const controllerPose = (values) =>
+  poseFromRollPitchYaw(
+    values.slice(0, 3).map((value) => toKernel('length', value, UNITS)),
+    values.slice(3, 6).map((value) => toKernel('angle', value, UNITS)),
+  );
+
+/** @typedef {{ text: string, isKuka: boolean, turns: readonly number[], turn: number }} Asked */
+
+/** The configuration that an effect asks for. @param {MoveEffect} read @returns {Asked | null} */
+function askedOf({ status, turn, position, isJoint, hasStatus }) {
+  if (isJoint || hasStatus === false) return null;
+  if (status !== undefined && turn !== undefined)
+    return { text: `S ${status} T ${turn}`, isKuka: true, turns: [], turn };
+  if (hasStatus) return null;
+  const word = position[6] ?? 0;
+  return {
+    text: configText(word),
+    isKuka: false,
+    turns: [0, 8, 16].map((shift) => (word << (24 - shift)) >> 24),
+    turn: 0,
+  };
+}
+
+/**
+ * @param {Doc} doc
+ * @param {Chain} chain
+ * @param {Float64Array} seed
+ * @param {Float64Array} T
+ * @param {Asked | null} asked
+ * @returns {Float64Array | null}
+ */
+function postureIn({ robot }, chain, seed, T, asked) {
+  const { solutions } = allInverseKinematics(chain, T, { seed });
+  for (const { q } of solutions) {
+    if (!asked) return q;
+    const turned = withTurns(pendantValues(robot, postureFromKernel(robot, q)), asked);
+    const posture = postureFromPendant(robot, turned);
+    const { fanuc, kuka } = configurationAt(robot, chain, posture);
+    const text = asked.isKuka ? `S ${kuka.status} T ${kuka.turn}` : fanuc.text && configText(configOf(fanuc.text) ?? 0);
+    if (text === asked.text) return compilePosture(robot, posture);
+  }
+  return null;
+}
+
+/** The same posture with as many full turns as are asked for. @param {number[]} pendant @param {Asked} asked */
+function withTurns(pendant, { isKuka, turns, turn }) {
+  const within = (/** @type {number} */ value) => value - FULL_TURN * Math.round(value / FULL_TURN);
+  return pendant.map((value, i) => {
+    if (!isKuka) {
+      const counted = TURN_AXES.indexOf(i);
+      return counted < 0 ? value : within(value) + FULL_TURN * turns[counted];
+    }
+    const isNegative = ((turn >> i) & 1) === 1;
+    const least = within(value);
+    return least < 0 === isNegative || least === 0 ? least : least + (isNegative ? -FULL_TURN : FULL_TURN);
+  });
+}

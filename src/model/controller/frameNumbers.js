@@ -1,0 +1,68 @@
+/**
+ * By which numbers a controller knows the document's user frames and tools. 0 is the world, and the bare flange.
+ *
+ * @import { Doc, FrameDoc, MoveStep, PoseDoc } from '../document.js'
+ * @import { Chain } from '../../kinematics/chain.js'
+ *
+ * @typedef {{ kind: 'user' | 'tool', number: number, name: string, pose: PoseDoc }} NumberedFrame
+ */
+import { compileRobot } from '../compile.js';
+import { identityPose } from '../document.js';
+import { agree, framePose, poseOnly } from '../frames/frames.js';
+
+/** @param {Doc} doc */
+export function controllerFrames(doc) {
+  const { robot, frames, activeTool } = doc;
+  /** @type {NumberedFrame[]} */
+  const numbered = frames.map((frame) => ({
+    ...{ kind: frame.kind, name: frame.id, pose: poseOnly(frame) },
+    number: frame.number ?? freeNumber(frames, frame),
+  }));
+  const named = (/** @type {'user' | 'tool'} */ kind, /** @type {string | undefined} */ id) =>
+    numbered.find((frame) => frame.kind === kind && frame.name === id);
+  const isBare = agree(robot.tool, identityPose());
+  if (activeTool === undefined && !isBare) {
+    const taken = numbered.flatMap(({ kind, number }) => (kind === 'tool' ? [number] : []));
+    numbered.push({ kind: 'tool', number: Math.max(0, ...taken) + 1, name: '', pose: poseOnly(robot.tool) });
+  }
+  const ownTool = activeTool === undefined ? (isBare ? undefined : named('tool', '')) : named('tool', activeTool);
+  /** @type {Map<number, Chain>} */
+  const chains = new Map();
+  return {
+    numbered,
+    /** @param {MoveStep} step */
+    toolOf: ({ tool }) => (tool === undefined ? ownTool : named('tool', tool))?.number ?? 0,
+    /** @param {string | undefined} id */
+    userOf: (id) => named('user', id)?.number ?? 0,
+    /** The user frame of a number seen from the world; null where there is none. @param {number} number */
+    userPose(number) {
+      if (number === 0) return framePose(null, robot.units);
+      const found = frames.find((frame, i) => frame.kind === 'user' && numbered[i].number === number);
+      return found ? framePose(found, robot.units) : null;
+    },
+    /** The arm with the tool of a number; null where there is none. @param {number} number @returns {Chain | null} */
+    chainOf(number) {
+      const known = chains.get(number);
+      if (known) return known;
+      const frame = numbered.find((one) => one.kind === 'tool' && one.number === number);
+      if (!frame && number !== 0) return null;
+      const chain = compileRobot(
+        number === ownTool?.number ? robot : { ...robot, tool: frame?.pose ?? identityPose() },
+      );
+      chains.set(number, chain);
+      return chain;
+    },
+  };
+}
+
+/** @typedef {ReturnType<typeof controllerFrames>} ControllerFrames */
+
+/** The first number that no frame of its kind has, and no unnumbered one before it gets. @param {readonly FrameDoc[]} frames @param {FrameDoc} frame */
+function freeNumber(frames, frame) {
+  const alike = frames.filter(({ kind }) => kind === frame.kind);
+  const taken = new Set(alike.map(({ number }) => number));
+  let count = alike.filter(({ number }) => number === undefined).indexOf(frame);
+  let number = 1;
+  while (taken.has(number) || count-- > 0) number++;
+  return number;
+}

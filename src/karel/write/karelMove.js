@@ -44,7 +44,7 @@ export function writeKarelMove(program, { programName = program.name } = {}) {
   });
   const header = headerLines(program, {
     does: 'For R-J3iB and older: this program moves by itself, with MOVE. It holds motion group 1 while it runs.',
-    world: 'User frame 0 is the world of the model, at the height of J2; tool 0 is the flange.',
+    world: 'User frame 0 is the world of the controller, on axis 1 at the height of axis 2; tool 0 is the flange.',
     notes,
   });
   const tree = karelProgram(own, program, header, [], variablesFor(program), [], body);

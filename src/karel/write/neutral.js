@@ -9,7 +9,7 @@
  * @property {string} generatedAt   ISO 8601, shown as it stands
  * @property {readonly string[]} convention    how pendant values come from the model's
  * @property {readonly boolean[]} slides       for each axis
- * @property {readonly NeutralFrame[]} frames  that the moves use; 0, the world and the flange, is not among them
+ * @property {readonly NeutralFrame[]} frames  that the moves use; 0, the controller's world and the flange, is not among them
  * @property {readonly NeutralStep[]} steps
  * @property {readonly string[]} [check]       lines for the header, at most 32 characters each: what was checked, and of what
  *

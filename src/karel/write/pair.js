@@ -70,7 +70,7 @@ export function writePair(program, { programName = program.name, firstRegister =
 
   const header = headerLines(program, {
     does: `${names.karel}.kl fills ${registers} of motion group 1, whatever they hold, and then calls ${names.tp} (${mover}.ls), which moves through them. Load ${names.tp} first, and never run it alone.`,
-    world: 'User frame 0 is the world of the model, at the height of J2; tool 0 is the flange.',
+    world: 'User frame 0 is the world of the controller, on axis 1 at the height of axis 2; tool 0 is the flange.',
     notes,
   });
   const filler = karelProgram(

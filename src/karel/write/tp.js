@@ -23,7 +23,7 @@ export function writeTp(program, { programName = program.name } = {}) {
     const via = move.via && place(move.via);
     return motionFor(move, place(move.target), via);
   });
-  const about = ['Frames 0 are the world of the model, at the height of J2, and the flange.'];
+  const about = ['UFRAME 0 is the world, on axis 1 at the height of axis 2. UTOOL 0 is the flange.'];
   const listing = listingFor(name, program, [...headRemarks(program, about), ...lines], positions);
   return {
     files: [{ name: `${name.toLowerCase()}.ls`, language: 'fanuc-tp', text: printTp(listing) }],

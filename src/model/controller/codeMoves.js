@@ -19,6 +19,7 @@
  * @property {number} tool
  * @property {boolean} isJoint
  * @property {{ kind: string, value?: number }} ending
+ * @property {readonly number[] | null} via    of a circular move: the numbers of the point on the way
  * @property {string | null} configuration   that it asks for
  */
 import { configOf, configText } from '../../karel/run/positions.js';
@@ -89,6 +90,7 @@ export function codeMove(doc, frames, from, effect) {
   return {
     ...{ line: read.line ?? 0, motion, kernel, followed, speed: read.speed, ending: read.termination },
     ...{ userFrame: read.userFrame, tool: read.toolFrame, isJoint: read.isJoint },
+    via: read.via ?? null,
     configuration: read.isJoint ? null : (asked?.text ?? null),
   };
 }

@@ -1,17 +1,21 @@
 /**
- * By which numbers a controller knows the document's user frames and tools. 0 is the world, and the bare flange.
+ * By which numbers a controller knows the document's user frames and tools. 0 is the controller's own world, and the bare flange.
+ * FANUC's world is on axis 1, at the height of axis 2; KUKA's is taken to be the document's.
  *
  * @import { Doc, FrameDoc, MoveStep, PoseDoc } from '../document.js'
  * @import { Chain } from '../../kinematics/chain.js'
  *
+ * @typedef {'fanuc' | 'kuka'} Brand
  * @typedef {{ kind: 'user' | 'tool', number: number, name: string, pose: PoseDoc }} NumberedFrame
  */
+import { linkFrames } from '../../kinematics/forward.js';
+import { compose, identity, invert, translation } from '../../kinematics/pose.js';
 import { compileRobot } from '../compile.js';
 import { identityPose } from '../document.js';
 import { agree, framePose, poseOnly } from '../frames/frames.js';
 
-/** @param {Doc} doc */
-export function controllerFrames(doc) {
+/** @param {Doc} doc @param {Brand} brand */
+export function controllerFrames(doc, brand) {
   const { robot, frames, activeTool } = doc;
   /** @type {NumberedFrame[]} */
   const numbered = frames.map((frame) => ({
@@ -26,17 +30,19 @@ export function controllerFrames(doc) {
     numbered.push({ kind: 'tool', number: Math.max(0, ...taken) + 1, name: '', pose: poseOnly(robot.tool) });
   }
   const ownTool = activeTool === undefined ? (isBare ? undefined : named('tool', '')) : named('tool', activeTool);
+  const T_world_zero = brand === 'fanuc' ? fanucWorld(compileRobot(robot)) : identity();
   /** @type {Map<number, Chain>} */
   const chains = new Map();
   return {
     numbered,
+    T_world_zero,
     /** @param {MoveStep} step */
     toolOf: ({ tool }) => (tool === undefined ? ownTool : named('tool', tool))?.number ?? 0,
     /** @param {string | undefined} id */
     userOf: (id) => named('user', id)?.number ?? 0,
     /** The user frame of a number seen from the world; null where there is none. @param {number} number */
     userPose(number) {
-      if (number === 0) return framePose(null, robot.units);
+      if (number === 0) return T_world_zero;
       const found = frames.find((frame, i) => frame.kind === 'user' && numbered[i].number === number);
       return found ? framePose(found, robot.units) : null;
     },
@@ -56,6 +62,16 @@ export function controllerFrames(doc) {
 }
 
 /** @typedef {ReturnType<typeof controllerFrames>} ControllerFrames */
+
+/** Of the first frame, turned as the base is, where axis 2 has its common normal with axis 1. @param {Chain} chain */
+function fanucWorld(chain) {
+  const frames = linkFrames(chain, new Float64Array(chain.dof));
+  const [T_world_0, T_world_1] = [frames.slice(0, 16), frames.slice(16, 32)];
+  if (chain.joints[0].type === 'prismatic') return T_world_0;
+  const T_0_1 = compose(invert(T_world_0), T_world_1);
+  const [x, y] = chain.convention === 'modified' ? [T_0_1[12], T_0_1[13]] : [0, 0];
+  return compose(T_world_0, translation([x, y, T_0_1[14]]));
+}
 
 /** The first number that no frame of its kind has, and no unnumbered one before it gets. @param {readonly FrameDoc[]} frames @param {FrameDoc} frame */
 function freeNumber(frames, frame) {

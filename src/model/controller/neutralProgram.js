@@ -4,7 +4,7 @@
  *
  * @import { Doc, MotionProgramDoc, MoveStep, RobotDoc, StepDoc, StepTarget } from '../document.js'
  * @import { Issue } from '../issues.js'
- * @import { ControllerFrames } from './frameNumbers.js'
+ * @import { Brand, ControllerFrames } from './frameNumbers.js'
  * @import { FollowedMove } from './followMoves.js'
  * @import { NeutralMove, NeutralProgram, NeutralStep, NeutralTarget } from '../../karel/write/neutral.js'
  * @import { Chain } from '../../kinematics/chain.js'
@@ -19,10 +19,9 @@
 import { tcpPose } from '../../kinematics/forward.js';
 import { rollPitchYawOf } from '../../kinematics/orientation.js';
 import { compose, invert } from '../../kinematics/pose.js';
-import { compilePosture, postureFromKernel } from '../compile.js';
+import { compilePose, compilePosture, postureFromKernel } from '../compile.js';
 import { isSliding } from '../document.js';
 import { configurationAt } from '../aim/solutions.js';
-import { framePose } from '../frames/frames.js';
 import { motionMoves } from '../program/motionPlan.js';
 import { isMove } from '../program/motionProgram.js';
 import { issue } from '../refusalParts.js';
@@ -48,14 +47,14 @@ const REASONS = {
 /**
  * @param {Doc} doc
  * @param {MotionProgramDoc} program
- * @param {{ version: string, generatedAt: string, start?: readonly number[] }} options  start: where the arm stands at first
+ * @param {{ brand: Brand, version: string, generatedAt: string, start?: readonly number[] }} options  start: where the arm stands at first
  * @returns {{ made: MadeProgram, issues: readonly [] } | { made: null, issues: readonly Issue[] }}
  */
-export function neutralProgram(doc, program, { version, generatedAt, start = doc.posture }) {
+export function neutralProgram(doc, program, { brand, version, generatedAt, start = doc.posture }) {
   const { robot } = doc;
   const planned = motionMoves(doc, program, start);
   if (planned.issues.length > 0) return { made: null, issues: planned.issues };
-  const frames = controllerFrames(doc);
+  const frames = controllerFrames(doc, brand);
   /** @type {NeutralStep[]} */
   const steps = [];
   /** @type {MadeMove[]} */
@@ -69,9 +68,7 @@ export function neutralProgram(doc, program, { version, generatedAt, start = doc
     const chain = /** @type {Chain} */ (frames.chainOf(tool));
     const userId = step.frame ?? frameOf(doc, step.target);
     const userFrame = frames.userOf(userId);
-    const T_user_world = invert(
-      framePose(doc.frames.find(({ kind, id }) => kind === 'user' && id === userId) ?? null, robot.units),
-    );
+    const T_user_world = invert(/** @type {Float64Array} */ (frames.userPose(userFrame)));
     const followed = followMove(chain, from, kernel);
     if ('message' in followed) return followed.message;
     const targetOf = (/** @type {StepTarget} */ target, /** @type {Float64Array} */ q, /** @type {Float64Array} */ T) =>
@@ -132,7 +129,11 @@ export function neutralProgram(doc, program, { version, generatedAt, start = doc
         ...{ convention: conventionLines(robot), slides: robot.joints.map(isSliding) },
         frames: used.map(({ kind, number, name, pose }) => ({
           ...{ kind, number, name: name || 'in use' },
-          position: controllerPosition(framePose({ kind, id: name, ...pose }, robot.units)),
+          position: controllerPosition(
+            kind === 'user'
+              ? compose(invert(frames.T_world_zero), compilePose(pose, robot.units))
+              : compilePose(pose, robot.units),
+          ),
         })),
       },
       ...{ moves, frames },

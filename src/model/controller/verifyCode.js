@@ -7,7 +7,7 @@
  * @import { MadeMove, MadeProgram } from './neutralProgram.js'
  * @import { CodeFinding } from './runCode.js'
  * @import { Deviation, MoveMargins } from './moveMargins.js'
- * @import { CodeFile } from '../../karel/write/neutral.js'
+ * @import { CodeFile, NeutralTarget } from '../../karel/write/neutral.js'
  *
  * @typedef {object} CheckedMove
  * @property {string} file
@@ -49,6 +49,12 @@ const SPEED_UNITS = /** @type {Readonly<Record<string, string>>} */ ({
 
 /** Condition numbers past this are near a singularity: one over it. */
 const NEAR_SINGULAR = 0.02;
+
+/** A joint that is so far from where it should be (radians, metres) stands in another posture. */
+const ANOTHER = 1e-2;
+
+/** So many numbers a Cartesian position has in effects. */
+const CARTESIAN = 10;
 
 /**
  * @param {Doc} doc
@@ -119,9 +125,9 @@ export function verifyCode(doc, made, files, start = doc.posture) {
 }
 
 /** How far apart the two are at most, where both go by the same shares of their ways. @param {CodeMove} done @param {MadeMove} wanted @returns {Deviation} */
-function deviationOf({ followed }, { followed: own }) {
+function deviationOf({ followed }, { followed: own }, shares = SHARES) {
   const worst = { millimetres: 0, degrees: 0 };
-  for (const share of SHARES) {
+  for (const share of shares) {
     const T_base_code = tcpPose(followed.chain, postureAlong(followed.path, share));
     const T_base_own = tcpPose(own.chain, postureAlong(own.path, share));
     const [x, y, z, a, b, c] = poseDifference(T_base_own, T_base_code);
@@ -132,7 +138,8 @@ function deviationOf({ followed }, { followed: own }) {
 }
 
 /** @param {CodeMove} done @param {MadeMove} wanted @param {Deviation} deviation @param {Deviation} rounding @param {'fanuc' | 'krl'} language @returns {string[]} */
-function differences(done, { move, followed }, deviation, rounding, language) {
+function differences(done, wanted, deviation, rounding, language) {
+  const { move, followed } = wanted;
   /** @type {string[]} */
   const list = [];
   if (done.motion !== move.motion) list.push(`a ${done.motion} move, not a ${move.motion} one`);
@@ -141,11 +148,14 @@ function differences(done, { move, followed }, deviation, rounding, language) {
   const isFar =
     deviation.millimetres > Math.max(TOLERANCE, rounding.millimetres) ||
     deviation.degrees > Math.max(TOLERANCE, rounding.degrees);
-  if (isFar)
-    list.push(`${deviation.millimetres.toPrecision(3)} mm and ${deviation.degrees.toPrecision(3)} degrees away`);
-  // The tool may be there with another posture.
   const away = Math.max(...done.followed.end.map((value, i) => Math.abs(value - followed.end[i])));
-  if (!isFar && done.motion === 'joint' && away > 1e-2) list.push('another posture of the arm');
+  const end = deviationOf(done, wanted, [1]);
+  // The tool may be there with another posture.
+  const isOther = done.motion === 'joint' && away > ANOTHER && end.millimetres < 1 && end.degrees < 1;
+  if (isOther) list.push('another posture of the arm');
+  else if (isFar)
+    list.push(`${deviation.millimetres.toPrecision(3)} mm and ${deviation.degrees.toPrecision(3)} degrees away`);
+  if (isOtherVia(done.via, move.via)) list.push('another point on the way');
   const { speed } = move;
   const isSpeed = done.speed.unit === SPEED_UNITS[speed.unit] && done.speed.value !== null;
   if (
@@ -171,6 +181,16 @@ function differences(done, { move, followed }, deviation, rounding, language) {
   )
     list.push(`a corner of ${done.ending.value} mm, not ${move.ending.value}`);
   return list;
+}
+
+/** Whether the numbers of the point that a circle passes are others; full turns aside. @param {readonly number[] | null} found @param {NeutralTarget | undefined} wanted */
+function isOtherVia(found, wanted) {
+  if (!found || !wanted) return false;
+  const numbers = found.length < CARTESIAN ? wanted.joints : wanted.position;
+  return numbers.some((value, i) => {
+    const off = found[i] - value;
+    return Math.abs(off) > TOLERANCE && Math.abs(off - 360 * Math.round(off / 360)) > TOLERANCE;
+  });
 }
 
 /** @param {CodeMove} done @param {MoveMargins} margins @param {string | null} before @returns {[string, string][]} */

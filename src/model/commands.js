@@ -5,6 +5,7 @@
  * A value that is undefined takes a limit away. A text is what was typed for the value, where that was an expression.
  *
  * @import { Convention, Doc, JointField, Units } from './document.js'
+ * @import { CodeCommand } from './code/codeCommands.js'
  * @import { ControllerCommand } from './controller/controllerCommand.js'
  * @import { FrameCommand } from './frames/frameCommands.js'
  * @import { JointCommand } from './robot/jointCommands.js'
@@ -32,11 +33,13 @@
  *   | FrameCommand
  *   | MotionCommand
  *   | ControllerCommand
+ *   | CodeCommand
  *   | ObstacleCommand
  *   | RobotCommand} Command
  *
  * Converting keeps the robot and changes the numbers; reinterpreting keeps the numbers and changes the robot.
  */
+import { applyCodeCommand } from './code/codeCommands.js';
 import { applyControllerCommand } from './controller/controllerCommand.js';
 import { convertConvention } from './robot/convertConvention.js';
 import { convertUnits } from './robot/convertUnits.js';
@@ -126,6 +129,11 @@ export function applyCommand(doc, command) {
       return applyMotionCommand(doc, command);
     case 'set-controller':
       return applyControllerCommand(doc, command);
+    case 'add-code':
+    case 'edit-code':
+    case 'rename-code':
+    case 'remove-code':
+      return applyCodeCommand(doc, command);
     case 'add-obstacle':
     case 'rename-obstacle':
     case 'edit-obstacle':

@@ -7,6 +7,7 @@
  */
 import { MAX_POSTURES } from './document.js';
 import { CONVENTIONS } from './documentRules.js';
+import { codeRefusal } from './code/codeCommands.js';
 import { controllerRefusal } from './controller/controllerCommand.js';
 import { frameRefusal } from './frames/frameRefusals.js';
 import { motionRefusal } from './program/motionRefusals.js';
@@ -98,6 +99,11 @@ export function refusal(doc, command) {
       return motionRefusal(doc, command);
     case 'set-controller':
       return controllerRefusal(doc, command);
+    case 'add-code':
+    case 'edit-code':
+    case 'rename-code':
+    case 'remove-code':
+      return codeRefusal(doc, command);
     case 'add-obstacle':
     case 'rename-obstacle':
     case 'edit-obstacle':

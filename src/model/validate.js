@@ -15,11 +15,10 @@ import {
   MAX_DESCRIPTION_LENGTH,
   MAX_FRAMES,
   MAX_LABEL_LENGTH,
-  MAX_PROGRAMS,
   MAX_TARGETS,
   PRESENT_POSTURE_ID,
-  PROGRAM_LANGUAGES,
 } from './documentRules.js';
+import { codeFaults } from './code/codeCommands.js';
 import { motionFaults } from './program/motionFaults.js';
 import { obstacleFaults } from './workcell/obstacleFaults.js';
 import { checkFrameId, framesIssues } from './validateFrames.js';
@@ -50,7 +49,7 @@ export const validateDocument = (doc) => [
   ...targetsIssues(doc),
   ...obstacleFaults(doc),
   ...motionFaults(doc),
-  ...programsIssues(doc),
+  ...codeFaults(doc),
 ];
 
 /** @param {Doc} doc @returns {Issues} */
@@ -112,20 +111,8 @@ function* targetsIssues({ targets, frames }) {
   yield* checkDifferentIds('targets', 'targets', targets);
 }
 
-/** @param {Doc} doc @returns {Issues} */
-function* programsIssues({ programs }) {
-  yield* checkCount('too-many-programs', 'programs', programs.length, MAX_PROGRAMS);
-  for (const [i, { id, language, text }] of programs.entries()) {
-    const owner = `Program ${shownValue(id)}`;
-    yield* checkId(`Program ${i + 1}`, `programs.${i}.id`, id);
-    yield* checkChoice(owner, 'the language', `programs.${i}.language`, language, PROGRAM_LANGUAGES);
-    yield* checkText(owner, 'a text', `programs.${i}.text`, text, Infinity);
-  }
-  yield* checkDifferentIds('programs', 'programs', programs);
-}
-
 /**
- * @param {'too-many-postures' | 'too-many-frames' | 'too-many-targets' | 'too-many-programs'} code
+ * @param {'too-many-postures' | 'too-many-frames' | 'too-many-targets'} code
  * @param {string} path @param {number} count @param {number} most
  * @returns {Issues}
  */

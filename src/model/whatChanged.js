@@ -5,7 +5,7 @@
  * @import { Convention, Doc, JointDoc, JointField, RobotDoc, Units } from './document.js'
  * @import { Rate } from './robot/robotCommands.js'
  *
- * @typedef {'postures' | 'targets' | 'frames' | 'obstacles' | 'motionPrograms'} ListName
+ * @typedef {'postures' | 'targets' | 'frames' | 'obstacles' | 'programs' | 'motionPrograms'} ListName
  * @typedef {'added' | 'removed' | 'renamed' | 'moved' | 'changed'} ListChange
  *
  * @typedef {{ what: 'field', joint: number, field: JointField }
@@ -35,7 +35,7 @@ export function whatChanged(before, after) {
     const moved = differing(before.posture, after.posture);
     return moved.length === 1 ? { what: 'joint-moved', joint: moved[0] } : { what: 'posture' };
   }
-  for (const list of /** @type {const} */ (['postures', 'frames', 'targets', 'obstacles'])) {
+  for (const list of /** @type {const} */ (['postures', 'frames', 'targets', 'obstacles', 'programs'])) {
     if (before[list] !== after[list]) return ofList(list, before[list], after[list]);
   }
   if (before.motionPrograms !== after.motionPrograms) return ofPrograms(before.motionPrograms, after.motionPrograms);

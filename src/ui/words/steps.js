@@ -36,7 +36,14 @@ export const STEPS = {
   userChosen: (/** @type {string | null} */ id) => (id === null ? 'no user frame' : `user frame ${id} chosen`),
   units: (/** @type {string} */ length, /** @type {string} */ angle) => `units ${length} and ${angle}`,
   convention: { standard: 'standard DH', modified: 'modified DH' },
-  list: { postures: 'posture', targets: 'target', frames: 'frame', obstacles: 'obstacle', motionPrograms: 'program' },
+  list: {
+    postures: 'posture',
+    targets: 'target',
+    frames: 'frame',
+    obstacles: 'obstacle',
+    programs: 'code',
+    motionPrograms: 'program',
+  },
   step: (/** @type {number} */ step, /** @type {string} */ change) => `step ${step} ${change}`,
   inList: (/** @type {string} */ list, /** @type {string} */ id, /** @type {string} */ change) =>
     `${list} ${id} ${change}`,

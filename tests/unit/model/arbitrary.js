@@ -1,6 +1,7 @@
 /** Chance for the model's property tests: documents of the library, and any session of actions on them. */
 import fc from 'fast-check';
 import { LIBRARY, newDocument } from '../../../src/model/library.js';
+import { anyCodeCommand } from './codeArbitrary.js';
 import { obstacleCommandOf } from './obstacleArbitrary.js';
 import { anyMotionCommand } from './motionArbitrary.js';
 
@@ -229,6 +230,7 @@ export const anyAction = fc.oneof(
   anyFrameCommand,
   anyMotionCommand,
   obstacleCommandOf(anyPose),
+  anyCodeCommand,
   fc.constantFrom(...['undo', 'redo', 'end-gesture', 'cancel-gesture'].map((type) => /** @type {Action} */ ({ type }))),
   fc.record({
     type: fc.constant(/** @type {const} */ ('show')),

@@ -199,6 +199,9 @@ IF s <> 0 THEN WRITE('another type', CR); ENDIF
 SET_VAR(e, '*SYSTEM*', '$MINE[1]', 4, s)
 GET_VAR(e, '*system*', '$mine[1]', i, s)
 WRITE(i, CR)
+$mine[1] = $mine[1] + 1
+GET_VAR(e, '*SYSTEM*', '$MINE[1]', i, s)
+WRITE(i, CR)
 GET_VAR(e, '*system*', '$fast_clock', i, s)
 WRITE(s, CR)
 END main`,
@@ -216,6 +219,7 @@ END main`,
     'no such program',
     'another type',
     '4',
+    '5',
     '0',
   ]);
 });

@@ -1,0 +1,164 @@
+/** Code under the debugger: where it stops, what it shows, and that going back is exact; and what its motions come to. */
+import { expect, test } from 'vitest';
+import { createCodeRun } from '../../../src/model/code/codeRun.js';
+import { planOfMove } from '../../../src/model/code/codeMoves.js';
+import { valueText, UNSET } from '../../../src/model/code/codeValues.js';
+import { tcpPose } from '../../../src/kinematics/forward.js';
+import { planMomentAt } from '../../../src/motion/planMoment.js';
+import { compilePosture, compileRobot } from '../../../src/model/compile.js';
+import { firstRobot } from '../../../src/model/shelf.js';
+import { newDocument } from '../../../src/model/newDocument.js';
+
+const ARM = { joints: () => [0, 0, 0, 0, 0, 0], position: () => [0, 0, 0, 0, 0, 0] };
+const NOWHERE = () => null;
+
+const MAIN = `PROGRAM main
+VAR
+  i, n : INTEGER
+  p : XYZWPR
+ROUTINE twice(x : INTEGER) : INTEGER
+VAR
+  y : INTEGER
+BEGIN
+  y = x + x
+  RETURN(y)
+END twice
+BEGIN
+  n = 0
+  FOR i = 1 TO 3 DO
+    n = n + twice(i)
+    WRITE(n, CR)
+  ENDFOR
+END main
+`;
+
+/** @param {string} text @param {string} [other] */
+function runOf(text, other) {
+  const programs = [{ id: 'main', language: /** @type {const} */ ('karel'), text }];
+  if (other) programs.push({ id: 'other', language: 'karel', text: other });
+  const made = createCodeRun(programs, 'main', ARM);
+  if (!('run' in made)) throw new Error(made.diagnostics[0].message);
+  return made.run;
+}
+
+const anyLine = () => true;
+const atLine = (/** @type {number} */ line) => (/** @type {{ line: number }} */ place) => place.line === line;
+
+test('it stops before statements, goes into a routine, over it and out of it', () => {
+  const run = runOf(MAIN);
+  run.advance(anyLine, 100, NOWHERE);
+  expect(run.place()).toMatchObject({ program: 'main', line: 13, depth: 1 });
+  run.advance(atLine(9), 100, NOWHERE);
+  expect(run.stack()).toEqual([
+    { program: 'main', routine: 'main', line: 15 },
+    { program: 'main', routine: 'twice', line: 9 },
+  ]);
+  expect(run.variables()).toContainEqual({ name: 'x', type: 'INTEGER', value: '1', owner: 'twice' });
+  expect(run.variables()).toContainEqual({ name: 'y', type: 'INTEGER', value: UNSET, owner: 'twice' });
+  expect(run.variables()).toContainEqual({ name: 'n', type: 'INTEGER', value: '0' });
+  run.advance(({ depth }) => depth < 2, 100, NOWHERE);
+  expect(run.place()).toMatchObject({ line: 16, depth: 1 });
+  const end = run.advance(() => false, 1000, NOWHERE);
+  expect(end.kind).toBe('over');
+  expect(run.outcome()?.status).toBe('ended');
+  expect(run.output()).toBe('2\n6\n12\n');
+});
+
+test('going back shows every moment as it was, with its output, and going on again does the same', () => {
+  const run = runOf(MAIN);
+  const shown = () => ({ place: run.place(), variables: run.variables(), output: run.output(), stack: run.stack() });
+  const seen = [];
+  let number = 0;
+  while (run.advance(anyLine, 1, () => ++number).kind === 'line') seen.push(shown());
+  expect(seen.length).toBe(14);
+  expect(run.back()).toBe(seen.length);
+  for (let i = seen.length - 1; i >= 0; i--) {
+    expect(shown()).toEqual(seen[i]);
+    expect(run.canGoBack()).toBe(i > 0);
+    if (i > 0) expect(run.back()).toBe(i);
+  }
+  run.advance(() => false, 1000, NOWHERE);
+  expect(run.output()).toBe('2\n6\n12\n');
+});
+
+test('what is faulty is not begun, and an endless loop gives the page its turn', () => {
+  const faulty = createCodeRun(
+    [{ id: 'main', language: 'karel', text: 'PROGRAM p\nBEGIN\nx = 1\nEND p\n' }],
+    'main',
+    ARM,
+  );
+  expect(faulty).toMatchObject({ diagnostics: [{ severity: 'error' }] });
+  const run = runOf('PROGRAM p\nVAR i : INTEGER\nBEGIN\ni = 0\nWHILE TRUE DO\ni = 1\nENDWHILE\nEND p\n');
+  for (let i = 0; i < 5; i++) expect(run.advance(() => false, 1000, NOWHERE)).toEqual({ kind: 'busy' });
+});
+
+test('inputs that a person sets are seen by the program, and what it wants done is told', () => {
+  const run = runOf('PROGRAM p\nBEGIN\nWAIT FOR DIN[2]\nDOUT[1] = ON\nPAUSE\nEND p\n');
+  run.advance(anyLine, 1, NOWHERE);
+  for (let i = 0; i < 5; i++) expect(run.advance(anyLine, 1, NOWHERE)).toMatchObject({ effect: { kind: 'wait' } });
+  run.setPort('DIN', 2, true);
+  let stop = run.advance(anyLine, 1, NOWHERE);
+  while (stop.effect?.kind === 'wait') stop = run.advance(anyLine, 1, NOWHERE);
+  expect(run.place()?.line).toBe(4);
+  run.advance(anyLine, 1, NOWHERE);
+  expect(run.state().ports.DOUT[1]).toBe(true);
+  expect(run.advance(anyLine, 1, NOWHERE)).toMatchObject({ effect: { kind: 'pause' } });
+});
+
+test('MOVE takes the tool where it says, in millimetres and degrees of the controller', () => {
+  const doc = newDocument(firstRobot);
+  const run = runOf(`PROGRAM p
+VAR a, b : XYZWPR
+BEGIN
+a = POS(400, 100, 300, 150, 0, 0, a.config_data)
+b = a
+b.x = b.x + 100
+MOVE TO a
+WITH $MOTYPE = LINEAR, $SPEED = 100 MOVE TO b
+END p
+`);
+  const chain = compileRobot(doc.robot);
+  let posture = doc.posture;
+  const durations = [];
+  for (let stop = run.advance(() => false, 100, NOWHERE); stop.effect; stop = run.advance(() => false, 100, NOWHERE)) {
+    const planned = planOfMove(doc, posture, stop.effect, run.state().system);
+    if (!('plan' in planned)) throw new Error(planned.message);
+    const { duration } = planned.plan;
+    expect(planned.plan.refused).toBeNull();
+    durations.push(duration);
+    const end = planMomentAt(planned.plan, duration).posture;
+    const T = tcpPose(chain, end);
+    expect(T[12]).toBeCloseTo(durations.length === 1 ? 0.4 : 0.5, 6);
+    expect([T[13], T[14], T[0]].map((value) => value.toFixed(6))).toEqual(['0.100000', '0.300000', '1.000000']);
+    posture = Array.from(end, (value) => (value * 180) / Math.PI);
+  }
+  expect(durations).toHaveLength(2);
+  expect(durations[1]).toBeGreaterThan(0.9);
+  expect(compilePosture(doc.robot, posture)).toHaveLength(6);
+});
+
+test('a position that was never set, and a motion that nobody defines, are refused in words', () => {
+  const doc = newDocument(firstRobot);
+  const refused = (/** @type {Record<string, unknown>} */ effect) =>
+    planOfMove(doc, doc.posture, { kind: 'move', ...effect }, {});
+  expect(refused({ to: 'TO', position: undefined })).toMatchObject({
+    message: expect.stringContaining('uninitialised'),
+  });
+  expect(refused({ to: 'AWAY', by: 5 })).toMatchObject({ message: expect.stringContaining('MOVE AWAY') });
+  expect(refused({ to: 'TO', position: [9000, 0, 0, 0, 0, 0, 0] })).toMatchObject({
+    message: 'The arm does not reach this pose.',
+  });
+});
+
+test('values are shown as code has them', () => {
+  const real = { kind: /** @type {const} */ ('REAL') };
+  expect(valueText(Math.fround(0.1), real)).toBe('0.1');
+  expect(valueText(-2, real)).toBe('-2.0');
+  expect(valueText(undefined, real)).toBe(UNSET);
+  expect(valueText('it', { kind: 'STRING' })).toBe("'it'");
+  expect(valueText(true, { kind: 'BOOLEAN' })).toBe('TRUE');
+  expect(valueText([1, 2, undefined], { kind: 'ARRAY', sizes: [3], of: { kind: 'INTEGER' } })).toBe(`[1, 2, ${UNSET}]`);
+  expect(valueText([1, 2, 3, 0, 90, 0, 0, 0, 0, 0], { kind: 'XYZWPR' })).toBe(
+    '1.0 2.0 3.0 | 0.0 90.0 0.0 | N D B, 0, 0, 0',
+  );
+});

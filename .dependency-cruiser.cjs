@@ -23,6 +23,8 @@ const MAY_IMPORT = {
       'bootstrap-icons',
       'mathjs',
       'uplot',
+      '@codemirror',
+      '@lezer/highlight',
     ],
   },
 };

@@ -157,7 +157,7 @@ function stand(robot, isOther, link) {
     shell.tabs.code,
     ({ tab }) => tab === 'code',
     async () => {
-      const { createCodePanel } = await import('./ui/program/codePanel.js');
+      const { createCodePanel } = await import('./ui/code/codePanel.js');
       return (host) => createCodePanel(page, host, { version, today });
     },
   );

@@ -42,6 +42,9 @@ export const isTakenWord = (word) => RESERVED.has(word.toUpperCase()) || PREDEFI
 /** @param {string} word  in any case */
 export const isReserved = (word) => RESERVED.has(word.toUpperCase());
 
+/** A built-in function, port, constant or device. @param {string} word  in any case */
+export const isBuiltin = (word) => PREDEFINED.has(word.toUpperCase());
+
 /** @param {string} text  whether it is a type of the language */
 export const isTypeWord = (text) => TYPE_WORD.test(text.toUpperCase());
 

@@ -125,7 +125,7 @@ test('two recorded postures become a FANUC pair', async ({ page }) => {
   for (const value of ['-30.0', '60.0', '-170.0', '20.0', '40.0', '10.0']) expect(karel).toContain(`= ${value}`);
   expect(tp).toMatch(/:J PR\[1.*\] +\d+% FINE/);
   expect(tp).toMatch(/:J PR\[2.*\] +\d+% FINE/);
-  await page.locator('[data-file="1"]').click();
+  await page.locator('.files').getByRole('button', { name: /\.ls$/i }).click();
   await expect(page.locator('.code')).toContainText('/PROG');
 });
 

@@ -75,6 +75,8 @@ function codeRun(machine) {
   let place = null;
   /** @type {Outcome | null} */
   let outcome = null;
+  /** Whether the last moment is now: nothing of its statement has been run. */
+  let isNow = false;
 
   /** @param {Effect} effect @returns {Place} */
   function placeOf({ line = 0 }) {
@@ -101,6 +103,7 @@ function codeRun(machine) {
      */
     advance(isStop, most, mark) {
       for (let left = most; left > 0;) {
+        isNow = false;
         const next = going.next();
         if (next.done) {
           outcome = next.value;
@@ -110,6 +113,7 @@ function codeRun(machine) {
         const effect = next.value;
         if (effect.kind === 'step') {
           left--;
+          isNow = true;
           place = placeOf(effect);
           moments.push({ state: saveState(machine), place, written: output.length, mark: mark() });
           if (moments.length > MOST_MOMENTS) moments.shift();
@@ -120,11 +124,11 @@ function codeRun(machine) {
       return { kind: 'busy' };
     },
 
-    canGoBack: () => moments.length > (outcome ? 0 : 1),
+    canGoBack: () => moments.length > (isNow ? 1 : 0),
 
     /** To before the statement that was run last. @returns {unknown} the mark of that moment */
     back() {
-      if (!outcome) moments.pop();
+      if (isNow) moments.pop();
       const moment = moments.at(-1);
       if (!moment) return null;
       restoreState(machine, moment.state);
@@ -132,6 +136,7 @@ function codeRun(machine) {
       output = output.slice(0, moment.written);
       place = moment.place;
       outcome = null;
+      isNow = true;
       return moment.mark;
     },
 
@@ -147,19 +152,18 @@ function codeRun(machine) {
       });
     },
 
-    /** What the routine and its program know. @returns {Shown[]} */
+    /** What the routine and its program know; after the end, what the program knew. @returns {Shown[]} */
     variables() {
       const { state, image, linker } = machine;
       const frame = state.tasks[state.current].frames.at(-1);
-      if (!frame) return [];
-      const code = image.codes[frame.code];
+      const code = frame ? image.codes[frame.code] : { program: 0, name: '' };
       const { scope } = linker.analyses[code.program];
       const routine = scope.globals.get(code.name.toUpperCase());
-      const locals = routine?.kind === 'routine' ? [...routine.locals.values()] : [];
+      const locals = frame && routine?.kind === 'routine' ? [...routine.locals.values()] : [];
       return [...locals, ...scope.globals.values()].flatMap((symbol) => {
         if (symbol.kind !== 'variable' || symbol.from) return [];
         const { name, type, slot, isGlobal, isParameter } = symbol;
-        const held = isGlobal ? state.globals[code.program][slot] : frame.locals[slot];
+        const held = isGlobal ? state.globals[code.program][slot] : frame?.locals[slot];
         const at = /** @type {{ holder: Record<string | number, unknown>, key: string | number } | undefined} */ (held);
         const value = isParameter ? at?.holder[at.key] : held;
         return [{ name, type: typeText(type), value: valueText(value, type), ...(!isGlobal && { owner: code.name }) }];

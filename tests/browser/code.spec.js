@@ -1,0 +1,100 @@
+/** Controller code on the page: written, checked while it is typed, run on the arm, stopped, and taken back. */
+import { expect, test } from '@playwright/test';
+import { expectAccessible } from './accessible.js';
+import { open, settled } from './page.js';
+
+const PROGRAM = `PROGRAM main
+VAR i : INTEGER
+  here : XYZWPR
+BEGIN
+  here = CURPOS(0, 0)
+  here.z = here.z + 20.0
+  WITH $MOTYPE = LINEAR, $SPEED = 1000.0 MOVE TO here
+  i = 1
+  WAIT FOR DIN[1]
+  WHILE TRUE DO
+    i = i + 1
+  ENDWHILE
+END main
+`;
+
+test('a KAREL program is typed, run to a breakpoint, stepped back with the arm, and stopped in its endless loop', async ({
+  page,
+}) => {
+  await open(page);
+  await page.getByRole('tab', { name: 'Code' }).click();
+  await page.getByRole('button', { name: 'New KAREL program' }).click();
+  const editor = page.getByRole('textbox', { name: 'Text of main' });
+  await editor.press('ControlOrMeta+a');
+  await page.keyboard.insertText(PROGRAM);
+  const problem = page.locator('.code-problem');
+  await expect(problem).toHaveText('No errors found');
+
+  await page.locator('.cm-line').nth(7).click();
+  await page.keyboard.press('F9');
+  await expect(page.locator('.code-stop')).toHaveCount(1);
+  const status = page.locator('.code-status');
+  const height = () => page.evaluate(() => window.denavit.pose()[2][3]);
+  const [before, joints] = [await height(), await page.evaluate(() => window.denavit.joints())];
+  await page.getByRole('button', { name: 'Run', exact: true }).click();
+  await expect(status).toHaveText('Stopped before line 8');
+  expect(await height()).toBeCloseTo(before + 0.02, 5);
+  await expect(page.locator('.code-next-line')).toHaveText('  i = 1');
+  await expect(page.getByRole('row', { name: /^here XYZWPR/ })).toBeVisible();
+  await expectAccessible(page, { within: '#panel-code' });
+
+  await page.getByRole('button', { name: 'Step back' }).click();
+  await expect(status).toHaveText('Stopped before line 7');
+  expect(await page.evaluate(() => window.denavit.joints())).toEqual(joints);
+  await page.getByRole('button', { name: 'Step over' }).click();
+  await expect(status).toHaveText('Stopped before line 8');
+  await page.getByRole('button', { name: 'Run', exact: true }).click();
+  await expect(status).toHaveText('Line 9 waits');
+  await page.getByRole('switch', { name: 'DIN[1], an input: set it' }).click();
+  await expect(status).toHaveText(/^Running line 1[01]$/);
+  await page.getByRole('button', { name: 'Stop', exact: true }).click();
+  await expect(status).toHaveText('Stopped');
+
+  await page.locator('.cm-line').nth(7).click();
+  await page.keyboard.press('End');
+  await page.keyboard.type(' + nothing');
+  await expect(page.locator('.code-error')).toHaveText('nothing');
+  await expect(problem).toContainText('Line 8');
+  await page.getByRole('button', { name: 'Run', exact: true }).click();
+  await expect(status).toHaveText('One error is in the way; it is marked.');
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(page.locator('.cm-line').nth(7)).toHaveText('  i = 1');
+  await settled(page);
+});
+
+test('files of code are opened, renamed and removed, and the document keeps them', async ({ page }) => {
+  await open(page);
+  await page.getByRole('tab', { name: 'Code' }).click();
+  const chooser = page.waitForEvent('filechooser');
+  await page.getByRole('button', { name: 'Open a file…' }).click();
+  await (
+    await chooser
+  ).setFiles({
+    name: '2 part.kl',
+    mimeType: 'text/plain',
+    buffer: Buffer.from("PROGRAM part\r\nBEGIN\r\n-- gr\xfcn\r\nWRITE('<b>', CR)\r\nEND part\r\n", 'latin1'),
+  });
+  await expect(page.getByRole('textbox', { name: 'Text of _2_part' })).toContainText('-- grün');
+  expect(await page.evaluate(() => window.denavit.xml())).toContain('PROGRAM part');
+  await page.getByRole('button', { name: 'Run', exact: true }).click();
+  await expect(page.locator('.code-output')).toHaveText('<b>');
+  const menu = page.getByRole('button', { name: 'Files: new, open, rename, remove' });
+  await menu.click();
+  await page.getByRole('button', { name: 'Rename _2_part…' }).click();
+  await page.getByLabel('Name of the program').fill('no name');
+  await page.keyboard.press('Enter');
+  await expect(page.locator('.code-refusal')).toContainText('no name');
+  await page.getByLabel('Name of the program').fill('part');
+  await page.keyboard.press('Enter');
+  await expect(page.locator('.files').getByRole('button', { name: 'part.kl' })).toHaveAttribute('aria-pressed', 'true');
+  await menu.click();
+  await page.getByRole('button', { name: 'Remove part' }).click();
+  await expect(page.getByText('No code yet')).toBeVisible();
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(page.getByRole('textbox', { name: 'Text of part' })).toBeVisible();
+});

@@ -33,7 +33,11 @@ export const PORTS = /** @type {Readonly<Record<string, string>>} */ ({
 
 export const isNumberPort = (/** @type {string} */ bank) => /^[GA][IO]$/.test(bank);
 
-/** A system variable's key, as KAREL has it. @param {string} name  as `$MNUFRAME[1,2]` @example systemKey('$MCR.$GENOVERRIDE') // → 'MCR.GENOVERRIDE' */
+/**
+ * A system variable's key, as KAREL has it.
+ * @param {string} name  as `$MNUFRAME[1,2]`
+ * @example systemKey('$MCR.$GENOVERRIDE') // → 'MCR.GENOVERRIDE'
+ */
 export const systemKey = (name) => name.replaceAll('$', '').replaceAll(',', '][').toUpperCase();
 
 /** Which user frame and which tool is chosen, and where they are. */

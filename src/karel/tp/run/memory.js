@@ -36,7 +36,8 @@ export const isNumberPort = (/** @type {string} */ bank) => /^[GA][IO]$/.test(ba
 /**
  * A system variable's key, as KAREL has it.
  * @param {string} name  as `$MNUFRAME[1,2]`
- * @example systemKey('$MCR.$GENOVERRIDE') // → 'MCR.GENOVERRIDE'
+ * @example
+ * systemKey('$MCR.$GENOVERRIDE') // → 'MCR.GENOVERRIDE'
  */
 export const systemKey = (name) => name.replaceAll('$', '').replaceAll(',', '][').toUpperCase();
 

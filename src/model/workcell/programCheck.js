@@ -89,12 +89,10 @@ export function endsOfMove({ plan, moves, steps }, step) {
   const at = steps.indexOf(step);
   const move = moves[at];
   if (move?.kind !== 'joint' || steps.lastIndexOf(step) !== at) return null;
-  let before = at - 1;
-  while (before >= 0 && moves[before].kind === 'wait') before--;
-  const last = moves[before];
-  if (last === undefined) return { from: plan.start, to: move.posture };
+  if (at === 0) return { from: plan.start, to: move.posture };
+  const last = moves[at - 1];
   if (last.kind === 'joint') return { from: last.posture, to: move.posture };
-  const part = plan.parts.findLast((one) => one.move === before);
+  const part = plan.parts.findLast((one) => one.move === at - 1);
   return part ? { from: planMomentAt(plan, part.end).posture, to: move.posture } : null;
 }
 

@@ -172,7 +172,7 @@ function createRow(page, reasons, first, index, now, program) {
       comment && !isNamed && [' ', h('span', { class: 'soft sm' }, comment)],
       step.disabled && spoken(`, ${PROGRAM.disabled}`),
       fault !== null && spoken(`, ${fault}`),
-      touch !== null && [h('span', { class: 'step-touch' }, icon('octagon'), ` ${touch}`)],
+      touch !== null && [h('span', { class: 'step-touch' }, icon('octagon'), h('span', {}, ` ${touch}`))],
     );
     name.title = [text, comment, fault, touch].filter(Boolean).join('\n');
     if (isChosen) name.setAttribute('aria-current', 'true');

@@ -30,6 +30,9 @@ export function createCheckPanel(page, cells, choose) {
   const touch = h('p', {});
   const hint = h('p', { class: 'soft sm' }, COLLISIONS.onlyJoint);
   const show = button(COLLISIONS.show, () => shown && showWhere(shown));
+  show.addEventListener('blur', () => {
+    if (store.state.session.ghost) store.dispatch({ type: 'show', change: { ghost: null } });
+  });
   const around = button(COLLISIONS.around, () => shown && finder.find(shown.step));
   around.prepend(icon('plus'));
   const card = h(

@@ -63,7 +63,7 @@ export function createObstacleEditor(page, host, index, acts) {
   }
   const first = /** @type {ObstacleDoc} */ (now());
 
-  const place = h('div', {});
+  const place = h('div', { class: 'obstacle-place' });
   const removePose = createPoseEditor(page, place, {
     id: `obstacle-${index}`,
     name: () => now()?.id ?? '',

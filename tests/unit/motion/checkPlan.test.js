@@ -121,3 +121,21 @@ test('a wait is not told of again, and moves that go on into each other are told
   expect(blended.parts[0].notBlended).toBeNull();
   expect(checked(among([[0.6, 0, 0]]), blended).found.map(({ move }) => move)).toEqual([0]);
 });
+
+test('a margin is kept to obstacles, not by the arm to itself: how near its links come is how it is built', () => {
+  const three = createChain({ convention: 'standard', joints: [joint, joint, joint] });
+  const arm = armBodies(three, [THICK, THICK, THICK]);
+  // the third link comes back over the first, half a metre above it
+  const start = Float64Array.of(0, Math.PI / 2, Math.PI / 2 - 0.1);
+  const move = joints([0, Math.PI / 2, Math.PI / 2]);
+  const plan = planMotion(three, start, [move], {
+    rates: Float64Array.of(1, 1, 1),
+    accelerations: Float64Array.of(4, 4, 4),
+  });
+  expect(checked(createWorkcell(arm, []), plan, { margin: 10 }).found).toEqual([]);
+  const folded = planMotion(three, start, [joints([0, 3, 3])], {
+    rates: Float64Array.of(1, 1, 1),
+    accelerations: Float64Array.of(4, 4, 4),
+  });
+  expect(checked(createWorkcell(arm, []), folded).found).toMatchObject([{ isTouch: true, near: { obstacle: null } }]);
+});

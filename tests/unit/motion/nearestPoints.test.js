@@ -61,6 +61,11 @@ test('of two links: on both surfaces; where they overlap, one place; and all tha
   const [a, b] = nearestPoints(cell, folded, over);
   expect(a).toEqual(b);
   expect(touches(cell, folded).map(({ stretch, other: with_ }) => [stretch, with_])).toEqual([[0, 2]]);
-  const balls = [0.2, 0.3, 3].map((x) => ({ kind: /** @type {const} */ ('sphere'), centre: [x, 0, 0], radius: 0.1 }));
+  const places = [
+    [0.2, 0, 0],
+    [0.3, 0, 0.1],
+    [3, 0, 0],
+  ]; // the second less deep than the first
+  const balls = places.map((centre) => ({ kind: /** @type {const} */ ('sphere'), centre, radius: 0.1 }));
   expect(touches(createWorkcell(bodies, balls), [0, 0, 0]).map(({ obstacle }) => obstacle)).toEqual([0, 1]);
 });

@@ -31,7 +31,6 @@ self.onmessage = ({ data }) => {
   const work = startJob(chain, job);
 
   const goOn = () => {
-    if (id !== current) return;
     try {
       const step = work.next();
       if (step.done) {
@@ -43,8 +42,11 @@ self.onmessage = ({ data }) => {
       say({ id, fault: error instanceof Error ? error.message : String(error) });
       return;
     }
-    channel.port2.postMessage(null);
+    channel.port2.postMessage(id);
   };
-  channel.port1.onmessage = goOn;
+  // what the last question has left behind in the queue is not for this one
+  channel.port1.onmessage = ({ data: asked }) => {
+    if (asked === current) goOn();
+  };
   goOn();
 };

@@ -1,6 +1,6 @@
 /**
  * Which parts of the critical curves are the boundary of the region: those with places that can be reached on one side only.
- * What holds of one place beside a curve holds as far as the next curve, so a piece is asked of near both ends, and halved
+ * What holds of one place beside a curve holds as far as the next curve, so a piece is asked of at both ends and between, and halved
  * where the answers differ: that is where another curve crosses it.
  *
  * @import { Traced, Vertex } from './traced.js'
@@ -52,7 +52,7 @@ export const closeBeside = (isReached, tolerance) => (at, a, b) => {
  * @param {Traced} curve
  * @param {SideAt} sideAt
  * @param {number} shortest     m: a piece whose ends differ is halved until it is no longer
- * @param {boolean} isThorough  every piece is asked of near both ends; else only one whose neighbours are not like it
+ * @param {boolean} isThorough  every piece is asked of from end to end; else only one whose neighbours are not like it
  * @returns {BoundaryPiece[]}
  */
 export function boundaryOf(curve, sideAt, shortest, isThorough) {
@@ -76,7 +76,8 @@ export function boundaryOf(curve, sideAt, shortest, isThorough) {
     }
     const first = curve.between(a, middle);
     const second = curve.between(middle, b);
-    const sides = [sideAt(middle, a, b)];
+    // at the ends as well: another curve may cross close to one of them
+    const sides = [sideAt(a, a, b), sideAt(middle, a, b), sideAt(b, a, b)];
     if (first) sides.push(sideAt(first, a, middle));
     if (second) sides.push(sideAt(second, middle, b));
     if (sides.every((side) => side === sides[0])) {

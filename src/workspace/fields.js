@@ -12,7 +12,7 @@
  * @import { Descent } from './descent.js'
  * @import { Traced, Vertex } from './traced.js'
  *
- * @typedef {{ stage: 'curves' | 'postures' | 'sides', share: number }} SectionProgress
+ * @typedef {{ stage: 'curves' | 'postures' | 'sides' | 'volume', share: number }} SectionProgress
  *
  * @typedef {object} Fields
  * @property {SideAt} sideAt

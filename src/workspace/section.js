@@ -7,6 +7,7 @@
  * @import { IsReached, SideAt } from './boundary.js'
  * @import { Cells, Extent } from './cells.js'
  * @import { SectionProgress } from './fields.js'
+ * @import { PlaceSolver } from './exactPlaces.js'
  * @import { Enclosed, Outline } from './outline.js'
  * @import { Cut, SectionMap } from './sectionMap.js'
  * @import { Fixed, Traced, Vertex } from './traced.js'
@@ -41,7 +42,8 @@
  * @property {Extent | null} extent  null if the region has no area
  * @property {number} area          m²
  * @property {number} areaError
- * @property {number | null} volume  m³, of what the section makes in a full turn; null if it makes none
+ * @property {number | null} volume  m³, of what the section makes as its first joint turns through its range; null if it
+ *   makes none, or that is not known
  * @property {number | null} volumeError
  * @property {number} gap           m: the longest stretch of boundary that was not found
  * @property {Cells} cells
@@ -56,6 +58,7 @@ import { fieldsBetween, triedFrom } from './fields.js';
 import { enclosed, onlyOnce, outlinesOf } from './outline.js';
 import { createSampler } from './sampler.js';
 import { createSectionMap, ownCut } from './sectionMap.js';
+import { sweptVolume } from './swept.js';
 
 /** A gap longer than so many tolerances says that a piece between two lookings was overlooked: then all are looked at closely. */
 const SUSPICIOUS = 60;
@@ -65,6 +68,9 @@ const SHORTEST = 0.02;
 
 /** Curves are told of after so many. */
 const WORD = 4;
+
+/** An outline around less than so many cells is a mistake about the side of a curve. */
+const SPECK = 40;
 
 /** The axis is looked at in so many pieces. */
 const AXIS_PIECES = 400;
@@ -82,7 +88,8 @@ export function* mapSection(chain, options = {}) {
   const cut = options.cut ?? ownCut(chain, withLimits);
   const map = cut && createSectionMap(chain, cut, withLimits);
   if (!map) return null;
-  const isReached = exactlyReached(chain, map, withLimits);
+  const solve = map.free.length <= 2 ? createPlaceSolver(chain, withLimits, map.isAnyAngle ? map.left : -1) : null;
+  const isReached = solve && reachedBy(solve, map);
   // Postures that are found land on sections at any angle, and in the plane of a planar arm; elsewhere they pass by.
   if (!isReached && !(map.isAnyAngle && map.kind !== 'plane')) return null;
 
@@ -101,7 +108,12 @@ export function* mapSection(chain, options = {}) {
     if (outlines.some(({ gap }) => gap > SUSPICIOUS * tolerance)) {
       outlines = yield* outlinesAlong(curves, sideAt, shortest, tolerance, true);
     }
-    return sectionOf(map, curves, outlines, cell, 'proven');
+    const section = sectionOf(map, curves, outlines, cell, 'proven');
+    if (map.kind !== 'meridian' || section.volume !== null || !map.isAnyAngle) return section;
+    const work = sweptVolume(map, solve, section.cells, section);
+    let step = work.next();
+    for (; !step.done; step = work.next()) yield { stage: 'volume', share: step.value };
+    return { ...section, ...step.value };
   }
   const sampler = createSampler(chain, { withLimits, seed });
   const drawn = nothingDrawn(tolerance);
@@ -113,7 +125,8 @@ export function* mapSection(chain, options = {}) {
   const descent = createDescent(chain, withLimits, map.left);
   const fields = yield* fieldsBetween(map, curves, cell, sampler, triedFrom(map, descent, tolerance / 100));
   const outlines = yield* outlinesAlong(curves, fields.sideAt, fields.cells.size / 4, tolerance, false);
-  return { ...sectionOf(map, curves, outlines, cell, 'estimated'), ...counted(map, fields.cells) };
+  const clear = outlines.filter(({ area }) => Math.abs(area) > SPECK * fields.cells.size ** 2);
+  return { ...sectionOf(map, curves, clear, cell, 'estimated'), ...counted(map, fields.cells) };
 }
 
 /**
@@ -148,17 +161,9 @@ function* outlinesAlong(curves, sideAt, shortest, tolerance, isThorough) {
   return outlinesOf(onlyOnce(pieces, tolerance), tolerance).filter(({ vertices }) => vertices.length > 2);
 }
 
-/**
- * @param {Chain} chain
- * @param {SectionMap} map
- * @param {boolean} withLimits
- * @returns {IsReached | null} null if more joints move the TCP than have a closed form
- */
-function exactlyReached(chain, map, withLimits) {
-  const solve = map.free.length <= 2 && createPlaceSolver(chain, withLimits, map.isAnyAngle ? map.left : -1);
-  if (!solve) return null;
-  return (u, v) => (map.kind !== 'meridian' || u >= 0) && solve(map.lift([u, v])).some(({ isInside }) => isInside);
-}
+/** @param {PlaceSolver} solve @param {SectionMap} map @returns {IsReached} */
+const reachedBy = (solve, map) => (u, v) =>
+  (map.kind !== 'meridian' || u >= 0) && solve(map.lift([u, v])).some(({ isInside }) => isInside);
 
 /**
  * @param {SectionMap} map

@@ -1,6 +1,7 @@
 /** Arms whose workspace has a closed form, and that form: signed distances that share nothing with the kernel. */
 
 /** @import { ChainDescription } from '../../../src/kinematics/chain.js' */
+/** @import { JointRow } from '../../../src/kinematics/joint.js' */
 
 const QUARTER = Math.PI / 2;
 
@@ -17,7 +18,7 @@ export const turning = (row, limits) => joint('revolute', row, limits);
 /** @param {number[]} row @param {number[]} [limits] */
 export const sliding = (row, limits) => joint('prismatic', row, limits);
 
-/** @param {...ReturnType<typeof joint>} joints @returns {ChainDescription} */
+/** @param {...JointRow} joints @returns {ChainDescription} */
 export const armOf = (...joints) => ({ convention: 'standard', joints });
 
 /** @param {number[]} lengths @param {number[][]} [limits] */

@@ -67,6 +67,25 @@ describe('a point', () => {
   });
 });
 
+test('the nearest place is as near as any of all postures, limits counted', () => {
+  const arm = planar([0.5, 0.3], [
+    [-1, 1],
+    [0, 2],
+  ]); // prettier-ignore
+  const { ask } = createPointFinder(createChain(arm));
+  const some = Array.from({ length: 201 * 201 }, (_, k) => {
+    const [a, b] = [-1 + Math.floor(k / 201) / 100, (k % 201) / 100];
+    return [0.5 * Math.cos(a) + 0.3 * Math.cos(a + b), 0.5 * Math.sin(a) + 0.3 * Math.sin(a + b)];
+  });
+  for (let k = 0; k < 24; k++) {
+    const [x, y] = [Math.cos(0.27 * k) * (0.1 + 0.04 * k), Math.sin(0.27 * k) * (0.1 + 0.04 * k)];
+    const least = Math.min(...some.map(([u, v]) => Math.hypot(u - x, v - y)));
+    const { distance, isReached } = ask([x, y, 0]);
+    expect(distance).toBeLessThanOrEqual(least + 1e-9);
+    expect(distance).toBeGreaterThan(isReached ? -1 : least - 0.01);
+  }
+});
+
 describe('a straight line', () => {
   const { askLine } = createPointFinder(createChain(planar([0.5, 0.3])));
 
@@ -82,6 +101,22 @@ describe('a straight line', () => {
 
   test('from a place that is not reached goes nowhere', () => {
     expect(askLine([0.9, 0, 0], [0.5, 0, 0])).toEqual({ isTravelled: false, share: 0, start: null, end: null });
+  });
+
+  test('is not travelled by a jump to the other elbow, where no one posture can go all the way', () => {
+    const arm = planar(
+      [0.5, 0.3],
+      [
+        [-3, 3],
+        [-2, 2],
+      ],
+    );
+    const finder = createPointFinder(createChain(arm));
+    const at = (/** @type {number} */ angle) => [0.6 * Math.cos(angle), 0.6 * Math.sin(angle), 0];
+    for (const angle of [2.65, 3.65]) expect(finder.ask(at(angle)).isReached).toBe(true);
+    const line = finder.askLine(at(2.65), at(3.65));
+    expect(line.isTravelled).toBe(false);
+    expect(line.share).toBeGreaterThan(0.5);
   });
 
   test('an elbow at its limit cannot pass, though both ends are reached', () => {

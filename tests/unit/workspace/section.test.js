@@ -2,7 +2,9 @@
 import { describe, expect, test } from 'vitest';
 import { createChain } from '../../../src/kinematics/chain.js';
 import { sectionAtOnce } from '../../../src/workspace/section.js';
+import { coveredAngle } from '../../../src/workspace/swept.js';
 import {
+  armOf,
   annulus,
   anthropomorphic,
   both,
@@ -63,6 +65,9 @@ function wrongCells({ cells }, inside) {
 /** A flat section has its x along the arm's, its y to the left. */
 const DEGREE = Math.PI / 180;
 const HALF = [-90 * DEGREE, 90 * DEGREE];
+
+/** Slanting through the middle of a box: where the box ends upwards, the slide that crosses the plane is at its limits. */
+const SLANT = Math.SQRT1_2;
 
 /** @type {[name: string, arm: ChainDescription, options: SectionOptions, inside: Inside, area: number, volume: number | null][]} */
 const CASES = [
@@ -133,6 +138,14 @@ const CASES = [
     null,
   ],
   [
+    'a Cartesian arm, slanting',
+    cartesian([-0.2, 0.5], [0.1, 0.7], [0, 0.4]),
+    { cut: { kind: 'plane', origin: [0.15, 0.4, 0.2], u: [SLANT, 0, SLANT], v: [0, 1, 0] } },
+    rectangle([-0.2 / SLANT, 0.2 / SLANT], [-0.3, 0.3]),
+    (0.4 / SLANT) * 0.6,
+    null,
+  ],
+  [
     'a Cartesian arm, upright',
     cartesian([-0.2, 0.5], [0.1, 0.7], [0, 0.4]),
     { cut: { kind: 'plane', origin: [0, 0.3, 0], u: [1, 0, 0], v: [0, 0, 1] } },
@@ -141,6 +154,13 @@ const CASES = [
     null,
   ],
 ];
+
+test('ranges of angles together cover what one of them does', () => {
+  expect(coveredAngle([])).toBe(0);
+  expect(coveredAngle([[1, 2], [1.5, 3]])).toBeCloseTo(2, 12); // prettier-ignore
+  expect(coveredAngle([[-1, 1], [5, 6.5]])).toBeCloseTo(2 * Math.PI - 5 + 1, 12); // prettier-ignore
+  expect(coveredAngle([[0, 4], [3, 8]])).toBeCloseTo(2 * Math.PI, 12); // prettier-ignore
+});
 
 describe('the section of', () => {
   test.each(CASES)('%s is what its closed form says', (_name, arm, options, inside, area, volume) => {
@@ -169,6 +189,26 @@ describe('the section of', () => {
       cut: { kind: 'plane', origin: [0, 0, 0], u: [1, 0, 0], v: [0, 0, 1] },
     });
     expect(aside).toBeNull();
+  });
+
+  test('an arm whose first joint has no full turn makes as much of the solid as it turns through', () => {
+    const [heights, reaches] = [
+      [0.1, 0.6],
+      [0.3, 0.9],
+    ];
+    const { joints } = cylindrical(heights, reaches);
+    const part = sectionOf(armOf({ ...joints[0], lower: -1, upper: 1.5 }, ...joints.slice(1)), { cell: 1e-2 });
+    const volume = 1.25 * (0.9 ** 2 - 0.3 ** 2) * 0.5;
+    expect(Math.abs((part.volume ?? 0) - volume)).toBeLessThan((part.volumeError ?? 0) + 1e-9);
+    expect(Math.abs((part.volume ?? 0) / volume - 1)).toBeLessThan(5e-3);
+    // in front and behind, by the elbow over the top: both ranges count, what they share once
+    const over = armOf(
+      { ...anthropomorphic(0.4, 0.3).joints[0], lower: -1, upper: 1.5 },
+      ...anthropomorphic(0.4, 0.3).joints.slice(1),
+    );
+    const shell = sectionOf(over, { cell: 1e-2, tolerance: 1e-4 });
+    const share = 5 / (2 * Math.PI);
+    expect(Math.abs((shell.volume ?? 0) / (share * 1.4325662500369452) - 1)).toBeLessThan(5e-3);
   });
 
   test('a finer tolerance brings the area nearer', () => {

@@ -22,6 +22,7 @@ import { declareAll, NOWHERE } from './declarations.js';
 import { includeFiles } from './includes.js';
 import { checkLabels } from './labels.js';
 import { checkBody } from './statements.js';
+import { checkUnset } from './unset.js';
 
 const DECLARATIONS = new Set(['constants', 'types', 'variables', 'routine', 'directive', 'comment']);
 
@@ -44,10 +45,12 @@ export function analyse(tree, files, hasGaps = false) {
   declareAll(all, scope);
   checkDirectives(all, scope);
   const context = { scope, using: [], usingNodes: [], typeOf: new Map(), symbolOf: new Map(), usingOf: new Map() };
+  const leavesUnset = all.some((one) => one.kind === 'directive' && one.name === 'UNINITVARS');
   for (const symbol of scope.globals.values()) {
     if (symbol.kind !== 'routine' || !symbol.node) continue;
     checkBody(symbol.node.body ?? [], { ...context, locals: symbol.locals, routine: symbol });
     checkLabels(symbol.node.body ?? [], scope);
+    if (!leavesUnset) checkUnset(symbol.node.body ?? [], { ...context, locals: symbol.locals, routine: symbol });
     checkVariables(symbol.locals, scope, false);
   }
   checkBody(program.body, { ...context, locals: new Map(), routine: null });

@@ -1,6 +1,7 @@
 /**
  * What the preprocessor's directives do: definitions, conditions, files, modes. A directive begins its line with %; KAREL's
- * own, and those that nobody knows, are left in the text for the translator.
+ * own, and those that nobody knows, are left in the text for the translator. Public packages write them in small and in
+ * capital letters.
  *
  * @import { Context, Expansion } from './expansion.js'
  * @import { Marked, Writer } from './marked.js'
@@ -18,7 +19,7 @@ const OTHERS = new Set(['define', 'defeval', 'undef', 'include', 'eval', 'mode',
 const REFUSED = new Set(['exec', 'date', 'line', 'file']);
 const MAX_INCLUDES = 40;
 
-/** @typedef {{ text: string, from: number, to: number, all: Marked, context: Context, run: Expansion, out: Writer, first: () => { first: Marked, rest: Marked } }} Use */
+/** @typedef {{ text: string, written: string, from: number, to: number, all: Marked, context: Context, run: Expansion, out: Writer, first: () => { first: Marked, rest: Marked } }} Use */
 
 /**
  * @param {Marked} marked @param {number} at  of the % @param {Context} context @param {Expansion} run @param {Writer} out
@@ -27,7 +28,8 @@ const MAX_INCLUDES = 40;
 export function obeyDirective(marked, at, context, run, out) {
   const { text } = marked;
   DIRECTIVE.lastIndex = at;
-  const [whole = '', word = ''] = DIRECTIVE.exec(text) ?? [];
+  const [whole = '', written = ''] = DIRECTIVE.exec(text) ?? [];
+  const word = written.toLowerCase();
   if (!CONDITIONS.has(word) && !OTHERS.has(word) && !REFUSED.has(word)) return null;
   const mode = run.modes[run.modes.length - 1];
   const place = directiveArguments(text, at + whole.length, mode);
@@ -36,6 +38,7 @@ export function obeyDirective(marked, at, context, run, out) {
   /** @type {Use} */
   const use = {
     text: text.slice(place.from, place.to),
+    written,
     from: marked.from[at],
     to: marked.to[last],
     all: slice(marked, place.from, place.to),
@@ -98,18 +101,17 @@ function define({ all, text, run, context, from, to }, atOnce) {
 }
 
 /** @param {Use} use */
-function include({ text, run, out, from, to }) {
+function include({ text, written, run, out, from, to }) {
   const name = text
     .replace(/\s+--.*$/, '')
     .trim()
     .replace(/^(["'<])(.*)["'>]$/, '$2');
   const found = run.fileNamed(name);
-  if (found === undefined) {
-    // The translator includes files too: those without an ending, and .kl.
-    if (/^[^.]*$|\.kl$/i.test(name)) {
-      out.add(markedAs(`%INCLUDE ${name}\n`, from, to));
-      return;
-    }
+  // The translator includes files too: those without an ending, and .kl.
+  const isForTranslator = /^[^.]*$|\.kl$/i.test(name);
+  if (isForTranslator && (found === undefined || written === 'INCLUDE'))
+    out.add(markedAs(`%INCLUDE ${name}\n`, from, to));
+  else if (found === undefined) {
     run.onGap();
     run.report('include', `%include of "${name}": no such file is at hand; what it would bring is missing.`, from, to);
   } else if (run.depth > MAX_INCLUDES)

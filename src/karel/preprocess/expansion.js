@@ -83,7 +83,7 @@ function expandInto(marked, context, run, out) {
       run.length += end - start;
       if (isActive(run)) out.add(marked, start, end);
     };
-    if (mode === FIRST_MODE && !isActive(run) && character !== '%') {
+    if (mode === FIRST_MODE && context === OUTSIDE && !isActive(run) && character !== '%') {
       const line = text.indexOf('\n%', at);
       at = line < 0 ? text.length : line + 1;
       continue;
@@ -135,12 +135,13 @@ function expandInto(marked, context, run, out) {
 function expandName(name, marked, at, context, run, out, put) {
   const end = at + name.length;
   const own = context.args ? (context.names?.indexOf(name) ?? -1) : -1;
-  if (own >= 0 && isActive(run)) {
+  if (own >= 0) {
     const arg = context.args?.[own];
-    if (arg) out.add(arg);
+    if (arg && isActive(run)) out.add(arg);
     return end;
   }
-  const macro = isActive(run) && !context.hidden.has(name) ? run.macros.get(name) : undefined;
+  // What does not count is expanded too: it may end its condition.
+  const macro = context.hidden.has(name) ? undefined : run.macros.get(name);
   if (!macro) {
     put(at, end);
     return end;
@@ -150,7 +151,7 @@ function expandName(name, marked, at, context, run, out, put) {
   const call = text[end] === '(' ? macroArguments(text, end, mode) : null;
   const [from, to] = [marked.from[at], marked.to[end - 1]];
   if (text[end] === '(' && !call) {
-    run.report('macro', `Expected ")" behind the arguments of the macro "${name}".`, from, to);
+    if (isActive(run)) run.report('macro', `Expected ")" behind the arguments of the macro "${name}".`, from, to);
     put(at, end);
     return end;
   }

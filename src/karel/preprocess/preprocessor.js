@@ -17,7 +17,7 @@ import { fileNamed } from './files.js';
 import { createSources } from './marked.js';
 
 const WORDS = 'define|defeval|undef|ifdef|ifndef|ifeq|ifneq|if|elif|else|endif|eval|mode|error|warning|class|from|exec';
-const USES_IT = new RegExp(String.raw`^%[ \t]*(?:(?:${WORDS})\b|include[ \t]+["'<]?\S+\.(?!kl\b)\w+)`, 'm');
+const USES_IT = new RegExp(String.raw`^%[ \t]*(?:(?:${WORDS})\b|include[ \t]+["'<]?\S+\.(?!kl\b)\w+)`, 'im');
 
 /**
  * @param {string} text

@@ -30,7 +30,7 @@ export function link(tree, host) {
 
 /** @param {Program} tree @param {Linker} linker @returns {number} its index */
 function addProgram(tree, linker) {
-  const analysis = analyse(tree, linker.host.sources ?? {});
+  const analysis = analyse(tree, linker.host.sources ?? {}, linker.host.hasGaps);
   const index = linker.analyses.length;
   linker.analyses.push(analysis);
   linker.names.push(analysis.program.name.toUpperCase());

@@ -59,6 +59,8 @@
  * @typedef {object} Host
  * @property {Readonly<Record<string, Program>>} [programs]  other KAREL programs by name
  * @property {Readonly<Record<string, string>>} [sources]     for %INCLUDE
+ * @property {boolean} [hasGaps]                              of their texts something is missing: names that nobody declares
+ *   refuse no program, and stop it where they are met
  * @property {Readonly<Record<string, Readonly<Record<string, Value>>>>} [variables]  what they hold at first, by program and name
  * @property {Readonly<Record<string, string>>} [files]       what is on the device at the start
  * @property {readonly string[]} [input]                      lines for READ

@@ -1,10 +1,8 @@
-/** Moves that go on into each other, and any moves at all: what every plan keeps. */
-import fc from 'fast-check';
+/** Moves that go on into each other. */
 import { describe, expect, test } from 'vitest';
 import { createChain } from '../../../src/kinematics/chain.js';
 import { planMotion } from '../../../src/motion/plan.js';
 import { planMoment, planMomentAt } from '../../../src/motion/planMoment.js';
-import { SEED, runs } from '../../helpers/property.js';
 import {
   angleBetween,
   arm,
@@ -19,7 +17,6 @@ import {
 /** @import { Ending, Move, MotionPlan } from '../../../src/motion/plan.js' */
 
 const ARM = { puma560: [0.3, 0.6, -2.6, 0.4, 0.9, 0.2], ur5: [0.3, -1.2, 1.6, -0.7, 0.9, 0.4] };
-const names = /** @type {(keyof typeof ARM)[]} */ (Object.keys(ARM));
 const LIMITS = { rates: Float64Array.of(2, 2, 2.5, 4, 4, 6), accelerations: Float64Array.of(8, 8, 10, 20, 20, 30) };
 const FINE = /** @type {const} */ ({ kind: 'fine' });
 
@@ -239,89 +236,5 @@ describe('near a singularity', () => {
     const free = planMotion(chain, start, [move], unbound);
     expect(free.parts[0].slowed).toEqual([]);
     expect(free.duration).toBeLessThan(plan.duration);
-  });
-});
-
-describe('any moves', () => {
-  const small = fc.double({ min: -0.15, max: 0.15, noNaN: true });
-  const vector = fc.tuple(small, small, small);
-  const ending = fc.oneof(
-    fc.constant(FINE),
-    fc.record({ kind: fc.constant(/** @type {const} */ ('share')), share: fc.double({ min: 0, max: 1, noNaN: true }) }),
-    fc.record({
-      kind: fc.constant(/** @type {const} */ ('distance')),
-      distance: fc.double({ min: 0, max: 0.1, noNaN: true }),
-    }),
-  );
-  const law = fc.constantFrom('trapezoid', 'doubleS', 'cubic', 'quintic', 'timeOptimal');
-  const share = fc.double({ min: 0.05, max: 1, noNaN: true });
-  const step = fc.record({
-    kind: fc.constantFrom('joint', 'linear', 'circular', 'wait'),
-    by: vector,
-    turn: vector,
-    bulge: vector,
-    wobble: fc.tuple(small, small, small, small, small, small),
-    share,
-    law,
-    ending,
-  });
-  /** @typedef {{ kind: string, by: number[], turn: number[], bulge: number[], wobble: number[], share: number, law: string, ending: Ending }} Step */
-
-  /** @param {keyof typeof ARM} name @param {readonly Step[]} steps @returns {Move[]} */
-  function movesOf(name, steps) {
-    const T = toolAt(name, ARM[name]);
-    return steps.map(({ kind, by, turn, bulge, wobble, ...each }) => {
-      if (kind === 'wait') return { kind, seconds: each.share };
-      const law = /** @type {'trapezoid'} */ (each.law);
-      if (kind === 'joint') {
-        const posture = Float64Array.from(ARM[name], (value, i) => value + 3 * wobble[i]);
-        return { kind, posture, speed: each.share, acceleration: each.share, law, ending: each.ending };
-      }
-      const T_base_tcp = beside(T, by, turn);
-      const via = beside(
-        T,
-        by.map((x, i) => x / 2 + bulge[i]),
-        [0, 0, 0],
-      );
-      const speeds = { speed: each.share, turnSpeed: 3 * each.share, acceleration: 5 * each.share };
-      const base = { T_base_tcp, ...speeds, law, ending: each.ending };
-      return kind === 'linear' ? { kind, ...base } : { kind: /** @type {const} */ ('circular'), via, ...base };
-    });
-  }
-
-  test.each(names)('of %s end where they should, hang together, keep the limits, and are the same again', (name) => {
-    const chain = createChain(arm(name));
-    const start = Float64Array.from(ARM[name]);
-    let planned = 0;
-    fc.assert(
-      fc.property(fc.array(step, { minLength: 2, maxLength: 6 }), (steps) => {
-        const moves = movesOf(name, steps);
-        const plan = planMotion(chain, start, moves, LIMITS);
-        expect(planMotion(chain, start, moves, LIMITS)).toEqual(plan);
-        const count = plan.refused ? plan.refused.move : moves.length;
-        expect(plan.parts.map(({ move }) => move)).toEqual(Array.from({ length: count }, (_, i) => i));
-        if (plan.duration === 0) return;
-        planned++;
-        const { use, gap, jump } = audit(plan, 1000);
-        expect(use).toBeLessThan(1.001);
-        // across a jump of the acceleration from one limit to the other the mean rate is off by a quarter of its step, and no more
-        expect(gap).toBeLessThan(0.51);
-        expect(jump).toBeLessThan(1.001);
-        for (const { move, end, notBlended } of plan.parts) {
-          const each = moves[move];
-          const stops = each.kind === 'wait' || each.ending.kind === 'fine' || notBlended !== null;
-          if (!stops || each.kind === 'wait') continue;
-          const { posture } = planMomentAt({ ...plan, parts: plan.parts.slice(0, move + 1) }, end);
-          if (each.kind === 'joint') {
-            each.posture.forEach((value, i) => expect(Math.abs(posture[i] - value)).toBeLessThan(1e-9));
-          } else {
-            expect(distanceBetween(toolAt(name, posture), rowsOf(each.T_base_tcp))).toBeLessThan(1e-9);
-            expect(angleBetween(toolAt(name, posture), rowsOf(each.T_base_tcp))).toBeLessThan(1e-7); // the oracle's digits
-          }
-        }
-      }),
-      { seed: SEED, numRuns: runs(50) },
-    );
-    expect(planned).toBeGreaterThan(5);
   });
 });

@@ -181,10 +181,11 @@ const MOVE = [
   required('acceleration', types.POSITIVE),
   required('ending', types.choice(['fine', 'percent', 'distance']), 'ending.kind'),
   optional('endingValue', types.NOT_NEGATIVE, { at: 'ending.value' }),
-  optional('law', types.choice(rules.STEP_LAWS)),
   optional('tool', types.ID),
   optional('frame', types.ID),
 ];
+const LAW = [optional('law', types.choice(rules.STEP_LAWS))];
+const JOINT_LAW = [optional('law', types.choice(rules.JOINT_LAWS))];
 const REMARK = [optional('comment', LABEL)];
 const SIGNAL = [required('value', types.choice(['on', 'off']))];
 
@@ -206,9 +207,9 @@ const MOTION_PROGRAM = element('motionProgram', {
   order: 'choice',
   maxChildren: rules.MAX_STEPS,
   children: [
-    stepElement('jointMove', 'joint', [...TO, ...MOVE, ...REMARK]),
-    stepElement('linearMove', 'linear', [...TO, ...MOVE, ...REMARK]),
-    stepElement('circularMove', 'circular', [...VIA, ...TO, ...MOVE, ...REMARK]),
+    stepElement('jointMove', 'joint', [...TO, ...MOVE, ...JOINT_LAW, ...REMARK]),
+    stepElement('linearMove', 'linear', [...TO, ...MOVE, ...LAW, ...REMARK]),
+    stepElement('circularMove', 'circular', [...VIA, ...TO, ...MOVE, ...LAW, ...REMARK]),
     stepElement('wait', 'wait', [required('seconds', types.POSITIVE), ...REMARK]),
     stepElement('setOutput', 'set-output', [required('output', types.POSITIVE_INTEGER), ...SIGNAL, ...REMARK]),
     stepElement('waitInput', 'wait-input', [required('input', types.POSITIVE_INTEGER), ...SIGNAL, ...REMARK]),

@@ -85,7 +85,8 @@
  * @typedef {{ readonly kind: 'fine' } | { readonly kind: 'percent' | 'distance', readonly value: number }} Ending
  *   fine: it stops there; else the corner is rounded, by a share or from that far away on
  *
- * @typedef {'trapezoid' | 'doubleS' | 'cubic' | 'quintic'} StepLaw
+ * @typedef {'trapezoid' | 'doubleS' | 'cubic' | 'quintic' | 'timeOptimal' | 'cubicSpline' | 'parabolicBlends'} StepLaw   the last two
+ *   of joint moves: through their targets, or past them, unless their ending is fine
  * @typedef {'%' | 'length/s' | 'angle/s'} SpeedUnit  of the joint rates; of the tool's way; of its turn
  *
  * @typedef {object} MoveDoc

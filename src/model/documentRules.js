@@ -42,8 +42,10 @@ export const PROGRAM_LANGUAGES = ['karel', 'fanuc-tp', 'krl'];
 
 /** @type {readonly SpeedUnit[]} */
 export const SPEED_UNITS = ['%', 'length/s', 'angle/s'];
-/** @type {readonly StepLaw[]} */
-export const STEP_LAWS = ['trapezoid', 'doubleS', 'cubic', 'quintic'];
+/** Of any move. @type {readonly StepLaw[]} */
+export const STEP_LAWS = ['trapezoid', 'doubleS', 'cubic', 'quintic', 'timeOptimal'];
+/** Of joint moves: the last two go on through their targets, or past them. @type {readonly StepLaw[]} */
+export const JOINT_LAWS = [...STEP_LAWS, 'cubicSpline', 'parabolicBlends'];
 
 /** Characters as XML Schema counts them: an emoji is one. @param {string} text */
 export const characterCount = (text) => Array.from(text).length;

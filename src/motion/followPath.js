@@ -8,7 +8,7 @@
  * @import { TaskName } from '../kinematics/descent/task.js'
  * @import { Span } from './hermite.js'
  * @import { PathKnot } from './pathSolver.js'
- * @import { PosturePath } from './posturePath.js'
+ * @import { PathMoment, PosturePath } from './posturePath.js'
  * @import { ToolPath } from './toolPath.js'
  *
  * @typedef {object} FollowedPath
@@ -62,10 +62,12 @@ const LOOK_AHEAD = [1e-3, 1e-2, 0.05];
  * @param {number} [options.turnDeviation]      rad; 0.01° if nothing is said
  * @param {number} [options.from]   only this part of the way: shares
  * @param {number} [options.to]
+ * @param {Pick<PathMoment, 'first' | 'second'>} [options.heading]   by the share: what the joints do at the beginning, where the
+ *   way leaves them a choice; else as little as may be
  * @returns {FollowedPath | PathRefusal}
  */
 export function followPath(chain, way, begin, options = {}) {
-  const { positionDeviation = 1e-5, turnDeviation = HUNDREDTH_DEGREE, from = 0, to = 1 } = options;
+  const { positionDeviation = 1e-5, turnDeviation = HUNDREDTH_DEGREE, from = 0, to = 1, heading } = options;
   requirePosture(chain.dof, begin);
   requirePositive('positionDeviation', positionDeviation);
   requirePositive('turnDeviation', turnDeviation);
@@ -74,6 +76,10 @@ export function followPath(chain, way, begin, options = {}) {
   const bound = createPathBound(chain);
   let [here, there] = [createKnot(dof), createKnot(dof)];
   const start = Float64Array.from(begin);
+  if (heading) {
+    here.first.set(heading.first);
+    here.second.set(heading.second);
+  }
   if (!solver.solve(from, start, here) || farthest(chain, start, here.q) > NEAR) {
     return { status: 'refused', reason: 'start', share: from, posture: start };
   }

@@ -3,7 +3,7 @@
  * quickest that their speeds and accelerations and the joints allow, which is a trapezoid where the joints have nothing against
  * it: the other laws are from rest to rest.
  *
- * @import { JointLimits, PlanLaw } from './moves.js'
+ * @import { JointLimits, PlanLaw, ViaLaw } from './moves.js'
  * @import { MoveWay } from './moveWay.js'
  * @import { PosturePath } from './posturePath.js'
  * @import { Section, Slowed } from './timePath.js'
@@ -19,7 +19,8 @@
  * @property {number} move     index
  * @property {PosturePath} path
  * @property {TimeLaw} law     how far along the path
- * @property {PlanLaw} timing  by which law it is timed: the move's, unless it goes on into another, or comes out of one
+ * @property {PlanLaw | ViaLaw} timing  by which law it is timed: the move's, unless it goes on into another, or comes out of one
+ * @property {PlanLaw | null} instead   the move's law, if it is timed by another
  * @property {Slowed[]} slowed   where it is slower than that, from share to share of the way, and because of which joint
  */
 import { keepLaw } from './keepLaw.js';
@@ -50,7 +51,8 @@ export function timeRun(stretches, limits) {
     const wanted = restLaw(name, s, { rate, acceleration, jerk });
     const { law, slowed } = keepLaw(path, wanted, limits, acceleration);
     const bend = rate < 1 ? [{ from: 0, to: s, joint: null }] : [];
-    return [{ move, path, law, slowed: inShares(slowed.length > 0 ? slowed : bend, 0, s), timing: name }];
+    const told = inShares(slowed.length > 0 ? slowed : bend, 0, s);
+    return [{ move, path, law, slowed: told, timing: name, instead: null }];
   }
   const path = joined(laid.map((each) => each.path));
   const { law, slowed } = quickestLaw(path, limits, laid.map(sectionOf));
@@ -63,10 +65,14 @@ export function timeRun(stretches, limits) {
       path: joined(own.map((stretch) => stretch.path)),
       law: lawBetween(law, from, to),
       slowed: inShares(slowed, from, to),
-      timing: own[0].way.law === 'timeOptimal' ? 'timeOptimal' : 'trapezoid',
+      ...timingOf(own[0].way.law),
     };
   });
 }
+
+/** By what a move is timed that goes on into another, or comes out of one. @param {PlanLaw} law @returns {Pick<TimedMove, 'timing' | 'instead'>} */
+const timingOf = (law) =>
+  law === 'timeOptimal' || law === 'trapezoid' ? { timing: law, instead: null } : { timing: 'trapezoid', instead: law };
 
 /** @param {Stretch & { to: number }} stretch @returns {Section} */
 const sectionOf = ({ way: { law, acceleration, share }, ceiling, to }) => ({

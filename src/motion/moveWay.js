@@ -5,6 +5,7 @@
  * @import { Chain } from '../kinematics/chain.js'
  * @import { Pose } from '../kinematics/pose.js'
  * @import { CircularMove, JointLimits, JointMove, LinearMove, PlanLaw } from './moves.js'
+ * @import { MotionRefusal } from './planReasons.js'
  * @import { ToolPath } from './toolPath.js'
  *
  * @typedef {object} MoveWay
@@ -97,6 +98,20 @@ function pathOf(T_base_from, move) {
   return hasArc(T_base_from, via, move.T_base_tcp) ? arcPath(T_base_from, via, move.T_base_tcp) : null;
 }
 
+/** Where a joint move passes a limit first. @param {Chain} chain @param {Float64Array} from @param {Float64Array} to @returns {Omit<MotionRefusal, 'move'> | null} */
+export function firstPast({ dof, joints }, from, to) {
+  requirePosture(dof, to);
+  let [joint, share] = [-1, Infinity];
+  for (const [i, { lower, upper }] of joints.entries()) {
+    if (to[i] >= lower && to[i] <= upper) continue;
+    const limit = to[i] < lower ? lower : upper;
+    const there = Math.min(1, Math.max(0, (limit - from[i]) / (to[i] - from[i])));
+    if (there < share) [joint, share] = [i, there];
+  }
+  if (joint < 0) return null;
+  return { reason: 'limit', joint, share, posture: from.map((value, i) => value + share * (to[i] - value)) };
+}
+
 /** Where a joint move is at a share of its way. @param {MoveWay} way @param {number} share */
 export function postureOn({ joints }, share) {
   if (!joints) throw new TypeError('Expected the way of a joint move.');
@@ -111,7 +126,7 @@ const roundedJerk = (law, acceleration) => (law === 'doubleS' ? ROUNDING * accel
 const lengthOf = (quickest) => (quickest === 0 ? 0 : Math.max(quickest, SHORTEST));
 
 /** @param {string} name @param {number} share */
-function requireShare(name, share) {
+export function requireShare(name, share) {
   if (!(share > 0 && share <= 1))
     throw new RangeError(`${name}: expected a share above 0 and at most 1, got ${share}.`);
 }

@@ -7,17 +7,21 @@
  *
  * @typedef {LawName | 'timeOptimal'} PlanLaw   timeOptimal: the joints alone decide how quickly the way gets faster and slower
  *
+ * @typedef {'cubicSpline' | 'parabolicBlends'} ViaLaw   through the targets, or past them, as textbooks have it (viaRun.js)
+ *
  * @typedef {{ kind: 'fine' } | { kind: 'share', share: number } | { kind: 'distance', distance: number }} Ending
  *   share: 1 for the largest zone, which reaches to about the middle of the quicker of both moves. distance: m, within which
  *   the tool is of the corner all through the zone's way
  *
- * @typedef {object} JointMove
+ * @typedef {object} JointMoveBase
  * @property {'joint'} kind
  * @property {Float64Array} posture
  * @property {number} speed          share of the joints' rates, above 0 and at most 1
  * @property {number} acceleration   share of their accelerations
- * @property {PlanLaw} [law]
  * @property {Ending} ending
+ *
+ * @typedef {JointMoveBase & { law?: PlanLaw }} JointMove
+ * @typedef {JointMoveBase & { law: ViaLaw }} ViaMove   goes on into the next one by the same law unless its ending is fine, whatever the zone
  *
  * @typedef {object} ToolMoveBase
  * @property {Pose} T_base_tcp     seen from the chain's root
@@ -31,7 +35,8 @@
  * @typedef {ToolMoveBase & { kind: 'linear' }} LinearMove
  * @typedef {ToolMoveBase & { kind: 'circular', via: Pose }} CircularMove
  * @typedef {{ kind: 'wait', seconds: number }} Wait
- * @typedef {JointMove | LinearMove | CircularMove | Wait} Move
+ * @typedef {JointMove | LinearMove | CircularMove} WayMove
+ * @typedef {WayMove | ViaMove | Wait} Move
  *
  * @typedef {object} JointLimits   one a joint, above 0
  * @property {Float64Array} rates

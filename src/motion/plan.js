@@ -7,11 +7,11 @@
  *
  * @import { Chain } from '../kinematics/chain.js'
  * @import { Pose } from '../kinematics/pose.js'
- * @import { PathRefusal } from './followPath.js'
  * @import { MoveWay } from './moveWay.js'
  * @import { Stretch, TimedMove } from './motionRun.js'
  * @import * as asked from './moves.js'
- * @import { PosturePath } from './posturePath.js'
+ * @import { MotionRefusal, NotBlended } from './planReasons.js'
+ * @import { PathMoment, PosturePath } from './posturePath.js'
  * @import { Zone } from './planZone.js'
  *
  * @typedef {asked.Move} Move   here too, as callers of planMotion need them
@@ -27,17 +27,6 @@
  * @property {number} end      s
  * @property {NotBlended | null} notBlended   why it stops though it was to end in a zone
  *
- * @typedef {'last' | 'wait' | 'still' | 'short' | PathRefusal['reason']} NotBlended
- *   last: no move follows, or one that is refused. wait: a wait follows. still: one of both has no way to go. short: the zone would have no length. The
- *   others: the postures of the zone, as of a path that is refused
- *
- * @typedef {object} MotionRefusal
- * @property {number} move
- * @property {PathRefusal['reason'] | 'arc'} reason   arc: no circle passes the three points
- * @property {number} share     of the move's way, where it can be gone to
- * @property {Float64Array} posture   there
- * @property {number} [joint]   with limit: the joint that would have to go past it
- *
  * @typedef {object} MotionPlan
  * @property {number} duration   s
  * @property {Float64Array} start   the posture to begin with
@@ -49,10 +38,11 @@ import { tcpPose } from '../kinematics/forward.js';
 import { zoneOf } from './blend.js';
 import { followPath } from './followPath.js';
 import { timeRun } from './motionRun.js';
-import { jointWay, postureOn, toolWay } from './moveWay.js';
-import { measuredBy, pathMomentAt, straightPath } from './posturePath.js';
+import { firstPast, jointWay, postureOn, toolWay } from './moveWay.js';
+import { headingBy, measuredBy, pathMomentAt, straightPath } from './posturePath.js';
 import { zoneInSpace, zoneOfJoints } from './planZone.js';
 import { timeLaw } from './timeLaw.js';
+import { isVia, viaRun } from './viaRun.js';
 
 /** s; a zone that is shorter on either side is none. */
 const LEAST_ZONE = 1e-6;
@@ -78,8 +68,12 @@ export function planMotion(chain, start, moves, limits, { onMove } = {}) {
   /** Of the moves since the last stop. @type {Stretch[]} */
   let run = [];
   let [posture, begin, entered] = [start, 0, 0];
+  /** What the joints do at the beginning of the next move, where a zone leads into it. @type {PathMoment | undefined} */
+  let heading;
   /** Of the next move, where a zone leads into it. @type {MoveWay | null} */
   let pending = null;
+  /** The moves before this one are planned, with one before them. */
+  let done = 0;
 
   /** @param {Omit<MotionPart, 'begin' | 'end' | 'kind'>} part */
   const add = (part) => {
@@ -89,18 +83,31 @@ export function planMotion(chain, start, moves, limits, { onMove } = {}) {
   };
 
   for (const [index, move] of moves.entries()) {
+    if (index < done) continue;
     if (move.kind === 'wait') {
       const law = timeLaw(0, 0, [{ duration: secondsOf(move), coefficients: [0] }]);
       const path = straightPath([0, 1], [posture, posture]);
-      add({ move: index, path, law, timing: 'trapezoid', slowed: [], notBlended: null });
+      add({ move: index, path, law, timing: 'trapezoid', instead: null, slowed: [], notBlended: null });
       onMove?.(index + 1);
+      continue;
+    }
+    if (isVia(move)) {
+      const { parts: passed, end, refused } = viaRun(chain, posture, moves, index, limits);
+      for (const part of passed) {
+        add(part);
+        onMove?.(part.move + 1);
+      }
+      if (refused) return { duration: begin, start, parts, refused };
+      [posture, done] = [end, index + passed.length];
       continue;
     }
     /** @type {MoveWay | Omit<MotionRefusal, 'move'>} */
     const found = pending ?? wayOf(chain, posture, null, move, limits);
     /** @type {Planned | Omit<MotionRefusal, 'move'>} */
     const planned =
-      'reason' in found ? found : planStretch(found, posture, entered, move, moves[index + 1], chain, limits);
+      'reason' in found
+        ? found
+        : planStretch(found, { posture, entered, heading }, move, moves[index + 1], chain, limits);
     if ('reason' in planned) {
       // the move before was to go on into this one, and now it stops
       const upTo = pending ? planMotion(chain, start, moves.slice(0, index), limits) : null;
@@ -110,14 +117,14 @@ export function planMotion(chain, start, moves, limits, { onMove } = {}) {
     const way = /** @type {MoveWay} */ (found);
     run.push({ move: index, way, path: planned.path, ceiling: way.ceiling });
     posture = planned.end;
-    pending = null;
-    entered = 0;
+    [pending, entered, heading] = [null, 0, undefined];
     if (planned.zone) {
       /** @type {NonNullable<Planned['zone']>} */
       const { halves, ceiling, next, side } = planned.zone;
       run.push({ move: index, way, path: halves[0], ceiling });
       run.push({ move: index + 1, way: next, path: halves[1], ceiling });
-      posture = pathMomentAt(halves[1], Infinity).posture;
+      heading = pathMomentAt(halves[1], Infinity);
+      posture = heading.posture;
       pending = next;
       entered = side / next.length;
     } else {
@@ -140,7 +147,7 @@ function secondsOf({ seconds }) {
  * @param {Chain} chain   without a tool of the move's own
  * @param {Float64Array} from
  * @param {Pose | null} T_base_from   where the tool is said to begin; null: where it is
- * @param {Exclude<Move, asked.Wait>} move
+ * @param {asked.WayMove} move
  * @param {JointLimits} limits
  * @returns {MoveWay | Omit<MotionRefusal, 'move'>}
  */
@@ -150,55 +157,46 @@ function wayOf(chain, from, T_base_from, move, limits) {
   return toolWay(own, T_base_from ?? tcpPose(own, from), move) ?? { reason: 'arc', share: 0, posture: from };
 }
 
-/** Where a joint move passes a limit first. @param {Chain} chain @param {Float64Array} from @param {Float64Array} to @returns {Omit<MotionRefusal, 'move'> | null} */
-function firstPast({ dof, joints }, from, to) {
-  requirePosture(dof, to);
-  let [joint, share] = [-1, Infinity];
-  for (const [i, { lower, upper }] of joints.entries()) {
-    if (to[i] >= lower && to[i] <= upper) continue;
-    const limit = to[i] < lower ? lower : upper;
-    const there = Math.min(1, Math.max(0, (limit - from[i]) / (to[i] - from[i])));
-    if (there < share) [joint, share] = [i, there];
-  }
-  if (joint < 0) return null;
-  return { reason: 'limit', joint, share, posture: from.map((value, i) => value + share * (to[i] - value)) };
-}
-
 /**
  * @typedef {object} Planned   a move up to its end, or to the zone that leads on
  * @property {PosturePath} path
  * @property {Float64Array} end
  * @property {(Extract<Zone, { halves: unknown }> & { next: MoveWay, side: number }) | null} zone
  * @property {NotBlended | null} notBlended
+ *
+ * @typedef {object} Entered   where a move is when a zone has led into it; at its beginning if none has
+ * @property {Float64Array} posture
+ * @property {number} entered   share of the way that is gone by then
+ * @property {PathMoment} [heading]   by seconds
  */
 
 /**
  * @param {MoveWay} way
- * @param {Float64Array} posture   where it is now
- * @param {number} entered    share of the way that is gone by then
- * @param {Exclude<Move, asked.Wait>} move
+ * @param {Entered} entered
+ * @param {asked.WayMove} move
  * @param {Move | undefined} nextMove
  * @param {Chain} chain
  * @param {JointLimits} limits
  * @returns {Planned | Omit<MotionRefusal, 'move'>}
  */
-function planStretch(way, posture, entered, move, nextMove, chain, limits) {
+function planStretch(way, entered, move, nextMove, chain, limits) {
   /** @param {NotBlended | null} notBlended @returns {Planned | Omit<MotionRefusal, 'move'>} */
   const stopping = (notBlended) => {
-    const whole = solve(way, posture, entered, 1);
+    const whole = solve(way, entered, 1);
     return 'reason' in whole ? whole : { ...whole, zone: null, notBlended };
   };
   if (move.ending.kind === 'fine') return stopping(null);
   if (!nextMove) return stopping('last');
   if (nextMove.kind === 'wait') return stopping('wait');
+  if (isVia(nextMove)) return stopping('law');
   if (way.length === 0) return stopping('still');
 
   const nextChain = (nextMove.kind !== 'joint' && nextMove.chain) || chain;
   const inSpace = way.tool !== null && nextMove.kind !== 'joint' && nextChain === way.chain;
   /** The posture at the corner, where it is needed: between two ways in space it is not, and need not be there. */
-  let corner = way.joints?.to ?? posture;
+  let corner = way.joints?.to ?? entered.posture;
   if (way.tool && !inSpace) {
-    const whole = solve(way, posture, entered, 1);
+    const whole = solve(way, entered, 1);
     if ('reason' in whole) return whole;
     corner = whole.end;
   }
@@ -206,14 +204,14 @@ function planStretch(way, posture, entered, move, nextMove, chain, limits) {
   if ('reason' in next || next.length === 0) return stopping('reason' in next ? 'last' : 'still');
   const side = zoneOf(way, next, move.ending);
   if (!(side > LEAST_ZONE)) return stopping('short');
-  const main = solve(way, posture, entered, 1 - side / way.length);
+  const main = solve(way, entered, 1 - side / way.length);
   if ('reason' in main) return main;
   /** @type {Zone} */
   let zone;
   if (inSpace) {
-    zone = zoneInSpace(way, next, side, main.end);
+    zone = zoneInSpace(way, next, side, pathMomentAt(main.path, Infinity));
   } else {
-    const into = solve(next, corner, 0, side / next.length);
+    const into = solve(next, { posture: corner, entered: 0 }, side / next.length);
     if ('reason' in into) return stopping('last'); // the next move will be refused with its reason
     zone = zoneOfJoints(way, pathMomentAt(main.path, Infinity), pathMomentAt(into.path, Infinity), side);
   }
@@ -222,16 +220,16 @@ function planStretch(way, posture, entered, move, nextMove, chain, limits) {
 
 /**
  * The joints from one share of a move's way to another, by its seconds.
- * @param {MoveWay} way @param {Float64Array} posture @param {number} from @param {number} to
+ * @param {MoveWay} way @param {Entered} at @param {number} to
  * @returns {{ path: PosturePath, end: Float64Array } | Omit<MotionRefusal, 'move'>}
  */
-function solve(way, posture, from, to) {
+function solve(way, { posture, entered: from, heading }, to) {
   const { chain, length, tool } = way;
   if (!tool) {
     const end = postureOn(way, to);
     return { path: straightPath([from * length, to * length], [posture, end]), end };
   }
-  const found = followPath(chain, tool, posture, { from, to });
+  const found = followPath(chain, tool, posture, { from, to, ...(heading && { heading: headingBy(heading, length) }) });
   if (found.status === 'refused') {
     const { reason, share, posture: there, joint } = found;
     return { reason, share, posture: there, ...(joint !== undefined && { joint }) };

@@ -10,7 +10,7 @@
 import { blendPath } from './blend.js';
 import { followPath } from './followPath.js';
 import { createSpan, writeHermite, writeSpan } from './hermite.js';
-import { TERMS, measuredBy, pathMomentAt } from './posturePath.js';
+import { TERMS, headingBy, measuredBy, pathMomentAt } from './posturePath.js';
 
 /** How fast one rate goes over into the other at most: the slope of 3λ² − 2λ³. */
 const STEEPEST = 3 / 2;
@@ -20,16 +20,16 @@ const STEEPEST = 3 / 2;
  * @param {MoveWay} before
  * @param {MoveWay} after
  * @param {number} side    s, how long the zone is on either side
- * @param {Float64Array} begin   the posture at its beginning
+ * @param {PathMoment} begin   at its beginning, by seconds
  * @returns {Zone}
  */
 export function zoneInSpace(before, after, side, begin) {
   if (!before.tool || !after.tool) throw new TypeError('Expected two ways of the tool.');
   const way = blendPath(before.tool, after.tool, side / before.length, side / after.length);
-  const first = followPath(before.chain, way, begin, { to: 1 / 2 });
+  const first = followPath(before.chain, way, begin.posture, { to: 1 / 2, heading: headingBy(begin, 2 * side) });
   if (first.status === 'refused') return { refused: first.reason };
-  const middle = pathMomentAt(first.path, 1 / 2).posture;
-  const second = followPath(before.chain, way, middle, { from: 1 / 2 });
+  const middle = pathMomentAt(first.path, 1 / 2);
+  const second = followPath(before.chain, way, middle.posture, { from: 1 / 2, heading: middle });
   if (second.status === 'refused') return { refused: second.reason };
   // the acceleration across the way: of the corner, and of the bends of both
   const [u, w] = [velocityAt(before, 1), velocityAt(after, 0)];

@@ -95,6 +95,16 @@ export const measuredBy = (path, begin, factor) => ({
 });
 
 /**
+ * The derivatives of a moment by another measure of the way.
+ * @param {PathMoment} moment
+ * @param {number} factor   what the new measure's unit is of the old one
+ */
+export const headingBy = ({ first, second }, factor) => ({
+  first: first.map((value) => value * factor),
+  second: second.map((value) => value * factor * factor),
+});
+
+/**
  * Paths one after another; each begins where the one before ends.
  * @param {readonly PosturePath[]} paths  1 or more
  * @returns {PosturePath}

@@ -6,6 +6,9 @@
  */
 import { timeLaw } from './timeLaw.js';
 
+/** Blends that meet by more than this share of their segment find no room. */
+const ROUNDING = 1e-12;
+
 /**
  * The cubic spline through points, with given rates at both ends.
  * @param {readonly number[]} points     2 or more
@@ -61,20 +64,8 @@ export function parabolicBlends(points, durations, acceleration) {
     throw new RangeError(`acceleration: expected a number above 0, got ${acceleration}.`);
   }
   const n = durations.length;
-  const ways = durations.map((_, i) => points[i + 1] - points[i]);
-  const rates = ways.map((way, i) => way / durations[i]);
-  const blends = points.map(() => 0);
-  if (n === 1) {
-    const blend = endBlend(ways[0], durations[0], acceleration, 2);
-    blends.fill(blend);
-    rates[0] = ways[0] / (durations[0] - blend);
-  } else {
-    blends[0] = endBlend(ways[0], durations[0], acceleration, 1);
-    blends[n] = endBlend(ways[n - 1], durations[n - 1], acceleration, 1);
-    rates[0] = ways[0] / (durations[0] - blends[0] / 2);
-    rates[n - 1] = ways[n - 1] / (durations[n - 1] - blends[n] / 2);
-  }
-  for (let i = 1; i < n; i++) blends[i] = Math.abs(rates[i] - rates[i - 1]) / acceleration;
+  const { rates, blends, lacking } = blendsOf(points, durations, acceleration);
+  if (lacking) throw new RangeError(`acceleration: ${lacking(acceleration)}`);
 
   /** @type {{ duration: number, coefficients: number[] }[]} */
   const parts = [];
@@ -85,14 +76,7 @@ export function parabolicBlends(points, durations, acceleration) {
     parts.push({ duration: blends[i], coefficients: [position, before, bend] });
     position += ((before + after) / 2) * blends[i];
     if (i === n) break;
-    const lead = i === 0 ? blends[0] : blends[i] / 2;
-    const tail = i === n - 1 ? blends[n] : blends[i + 1] / 2;
-    const straight = durations[i] - lead - tail;
-    if (straight < -1e-12 * durations[i]) {
-      throw new RangeError(
-        `acceleration: ${acceleration} is too small for the blends about segment ${i + 1} of ${durations[i]} s; they would take ${lead + tail} s.`,
-      );
-    }
+    const straight = straightTime(blends, durations, i);
     parts.push({ duration: Math.max(0, straight), coefficients: [position, rates[i]] });
     position += rates[i] * Math.max(0, straight);
   }
@@ -100,16 +84,53 @@ export function parabolicBlends(points, durations, acceleration) {
 }
 
 /**
- * How long the blend from or to a rest takes, where it lies within its segment.
- * @param {number} way @param {number} duration @param {number} acceleration @param {1 | 2} count  blends in the segment
+ * The rates between points, how long the blend about each takes, and whether they find room.
+ * @param {readonly number[]} points
+ * @param {readonly number[]} durations
+ * @param {number} acceleration
+ * @returns {{ rates: number[], blends: number[], lacking: ((acceleration: number) => string) | null }}   lacking: why not, in words
  */
-function endBlend(way, duration, acceleration, count) {
-  const square = duration ** 2 - (2 * count * Math.abs(way)) / acceleration;
-  if (square < 0) {
-    const least = (2 * count * Math.abs(way)) / duration ** 2;
-    throw new RangeError(`acceleration: expected at least ${least} for ${way} in ${duration} s, got ${acceleration}.`);
+export function blendsOf(points, durations, acceleration) {
+  const n = durations.length;
+  const ways = durations.map((_, i) => points[i + 1] - points[i]);
+  const rates = ways.map((way, i) => way / durations[i]);
+  const blends = points.map(() => 0);
+  const count = n === 1 ? 2 : 1; // blends within the segment
+  for (const [end, segment] of n === 1
+    ? [[0, 0]]
+    : [
+        [0, 0],
+        [n, n - 1],
+      ]) {
+    const [way, duration] = [Math.abs(ways[segment]), durations[segment]];
+    const square = duration ** 2 - (2 * count * way) / acceleration;
+    if (square < 0) {
+      const least = (2 * count * way) / duration ** 2;
+      return {
+        rates,
+        blends,
+        lacking: (got) => `expected at least ${least} for ${ways[segment]} in ${duration} s, got ${got}.`,
+      };
+    }
+    // (duration − √square) / count, without the difference of two that are nearly the same
+    blends[end] = (2 * way) / acceleration / (duration + Math.sqrt(square));
+    rates[segment] = ways[segment] / (duration - (count * blends[end]) / 2);
   }
-  return (duration - Math.sqrt(square)) / count;
+  if (n === 1) blends[1] = blends[0];
+  for (let i = 1; i < n; i++) blends[i] = Math.abs(rates[i] - rates[i - 1]) / acceleration;
+  const full = durations.findIndex((duration, i) => straightTime(blends, durations, i) < -ROUNDING * duration);
+  if (full < 0) return { rates, blends, lacking: null };
+  const lacking = (/** @type {number} */ got) =>
+    `${got} is too small for the blends about segment ${full + 1} of ${durations[full]} s; they would take ${durations[full] - straightTime(blends, durations, full)} s.`;
+  return { rates, blends, lacking };
+}
+
+/** How long it is straight between two blends; below 0 where they meet. @param {readonly number[]} blends @param {readonly number[]} durations @param {number} i */
+function straightTime(blends, durations, i) {
+  const last = durations.length - 1;
+  const lead = i === 0 ? blends[0] : blends[i] / 2;
+  const tail = i === last ? blends[last + 1] : blends[i + 1] / 2;
+  return durations[i] - lead - tail;
 }
 
 /** @param {readonly number[]} points @param {readonly number[]} durations */

@@ -9,6 +9,7 @@
  */
 import {
   ID_PATTERN,
+  JOINT_LAWS,
   LARGEST_NUMBER,
   MAX_LABEL_LENGTH,
   MAX_MOTION_PROGRAMS,
@@ -96,7 +97,10 @@ const MOVE_MORE = { law: oneOf(...STEP_LAWS), tool: frame('tool', 'tool'), frame
 
 /** What a step of a kind has besides its kind; what it may have. @type {Record<string, [Record<string, Rule>, Record<string, Rule>?]>} */
 const FIELDS = {
-  joint: [{ ...MOVE, speed: upTo(100), speedUnit: oneOf('%') }, MOVE_MORE],
+  joint: [
+    { ...MOVE, speed: upTo(100), speedUnit: oneOf('%') },
+    { ...MOVE_MORE, law: oneOf(...JOINT_LAWS) },
+  ],
   linear: [MOVE, MOVE_MORE],
   circular: [{ ...MOVE, via: TARGET }, MOVE_MORE],
   wait: [{ seconds: upTo(LARGEST_NUMBER) }],

@@ -11,7 +11,7 @@
  * @import { Issue } from '../issues.js'
  * @import { Assumption } from './motionLimits.js'
  * @import { Chain } from '../../kinematics/chain.js'
- * @import { Ending, JointLimits, JointMove, Move, ToolMoveBase } from '../../motion/moves.js'
+ * @import { Ending, JointLimits, JointMove, Move, PlanLaw, ToolMoveBase, ViaMove } from '../../motion/moves.js'
  *
  * @typedef {Issue & { readonly step: number }} StepIssue   step: its index in the program
  *
@@ -166,12 +166,16 @@ function createRun(doc, start) {
   /** @param {MoveStep} step @param {number} index */
   function move(step, index) {
     const ending = endingOf(step.ending, units);
-    const law = step.law === undefined ? {} : { law: step.law };
+    // only joint moves have the laws that go on through their targets (motionFaults.js)
+    const law = step.law === undefined ? {} : { law: /** @type {PlanLaw} */ (step.law) };
     if (step.kind === 'joint') {
       const found = postureOf(step);
       if ('message' in found) return found.message;
       const share = { speed: step.speed / 100, acceleration: step.acceleration / 100 };
-      add(/** @type {JointMove} */ ({ kind: 'joint', posture: found.posture, ...share, ...law, ending }), index);
+      add(
+        /** @type {JointMove | ViaMove} */ ({ kind: 'joint', posture: found.posture, ...share, ...law, ending }),
+        index,
+      );
       seed = found.posture;
       passed.length = 0;
       return null;

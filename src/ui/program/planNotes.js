@@ -10,6 +10,7 @@ import { ASSUMED_TOOL_ACCELERATION, ASSUMED_TOOL_SPEED, ASSUMED_TOOL_TURN } from
 import { fromKernel } from '../../model/units.js';
 import { compact, fixed, unitSign } from '../parts/format.js';
 import { PLAN_NOTES } from '../words/planNotes.js';
+import { PROGRAM } from '../words/program.js';
 
 const WIDEST = 6;
 
@@ -36,12 +37,19 @@ export function planNotes({ plan, steps, assumptions }, units) {
         return assumed[what](where);
     }
   });
-  for (const { move, slowed, notBlended } of plan.parts) {
+  for (const law of new Set(plan.parts.map(({ instead }) => instead))) {
+    if (law === null) continue;
+    const moves = plan.parts.filter(({ instead }) => instead === law).map(({ move }) => plusOne(steps[move]));
+    const jerk = law === 'doubleS' ? PLAN_NOTES.jerk : '';
+    notes.push(PLAN_NOTES.instead(PLAN_NOTES.steps([...new Set(moves)]), PROGRAM.laws[law]) + jerk);
+  }
+  for (const { move, slowed, timing, notBlended } of plan.parts) {
     const step = plusOne(steps[move]);
     for (const { from, to, joint } of slowed) {
       const why =
         joint === null ? PLAN_NOTES.because.bend : PLAN_NOTES.because.joint(PLAN_NOTES.joints([plusOne(joint)]));
-      notes.push(PLAN_NOTES.slower(step, percent(from), percent(to)) + why);
+      const jerk = joint !== null && timing === 'doubleS' ? PLAN_NOTES.jerk : '';
+      notes.push(PLAN_NOTES.slower(step, percent(from), percent(to)) + why + jerk);
     }
     if (isToldOf(notBlended)) notes.push(PLAN_NOTES.stops(step) + PLAN_NOTES.why[notBlended]);
   }

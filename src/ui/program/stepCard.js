@@ -10,7 +10,7 @@
  *
  * @typedef {'go' | 'again' | 'up' | 'down' | 'duplicate' | 'disable' | 'remove'} StepAct
  */
-import { STEP_LAWS } from '../../model/documentRules.js';
+import { JOINT_LAWS, STEP_LAWS } from '../../model/documentRules.js';
 import { isMove } from '../../model/program/motionProgram.js';
 import { firstManner } from '../../model/program/newSteps.js';
 import '../css/robotDetails.css';
@@ -53,7 +53,9 @@ export function createStepCard(page, reasons, act) {
     const { units } = doc.robot;
     const manner = (/** @type {'joint' | 'linear'} */ kind) => {
       const { speed, speedUnit } = firstManner(doc, kind);
-      return { kind, speed, speedUnit };
+      const { law } = move();
+      const isLost = kind !== 'joint' && law !== undefined && !STEP_LAWS.includes(law);
+      return { kind, speed, speedUnit, ...(isLost && { law: undefined }) };
     };
     const isJoint = step.kind === 'joint';
     const places = Object.fromEntries(doc.targets.map(({ id }) => [`target ${id}`, id]));
@@ -108,7 +110,10 @@ export function createStepCard(page, reasons, act) {
         fields.choice(
           words.law,
           Object.fromEntries(
-            ['', ...STEP_LAWS].map((law) => [law, PROGRAM.laws[/** @type {keyof typeof PROGRAM.laws} */ (law)]]),
+            ['', ...(isJoint ? JOINT_LAWS : STEP_LAWS)].map((law) => [
+              law,
+              PROGRAM.laws[/** @type {keyof typeof PROGRAM.laws} */ (law)],
+            ]),
           ),
           () => move().law ?? '',
           (law) => ({ law: law || undefined }),

@@ -31,6 +31,10 @@ export const PLAN_NOTES = {
     joint: /** @type {Of} */ ((joint) => `, because ${joint} is at its greatest rate or acceleration.`),
     bend: ', because of how its way bends.',
   },
+  /** Of a law that limits the jerk and is not kept there. */
+  jerk: ' Jerk is not limited there.',
+  instead: (/** @type {string} */ steps, /** @type {string} */ law) =>
+    `The ${law} of ${steps} is not kept: without a stop at both ends it goes by constant accelerations.`,
   stops: (/** @type {number} */ step) => `Step ${step} stops at its end all the same: `,
   why: {
     wait: 'a wait follows.',
@@ -41,6 +45,7 @@ export const PLAN_NOTES = {
     orientation: 'in the zone the tool cannot be so turned.',
     singularity: 'the zone leads through a singularity.',
     start: 'the zone does not begin where the arm stands.',
+    law: 'the time law of it, or of the step that follows, goes on only into its own.',
   },
 };
 

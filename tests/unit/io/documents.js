@@ -3,7 +3,7 @@
  * @import { ControllerDoc, Doc, FrameDoc, JointDoc, LinkDoc, MotionProgramDoc, ObstacleDoc, PoseDoc, RobotInfo, StepDoc, StepTarget, TargetDoc } from '../../../src/model/document.js'
  */
 import fc from 'fast-check';
-import { STEP_LAWS } from '../../../src/model/documentRules.js';
+import { JOINT_LAWS, STEP_LAWS } from '../../../src/model/documentRules.js';
 
 /**
  * Plain objects, never without a prototype, as documents are; `requiredKeys` as in fc.record.
@@ -236,7 +236,10 @@ function motionPrograms(doc) {
   const some = (fields, requiredKeys) =>
     record(fields, { requiredKeys: requiredKeys.filter((name) => Object.hasOwn(fields, name)) });
   const step = fc.oneof(
-    some({ ...kind('joint'), ...move, speed: percent, speedUnit: fc.constant('%') }, needed),
+    some(
+      { ...kind('joint'), ...move, law: fc.constantFrom(...JOINT_LAWS), speed: percent, speedUnit: fc.constant('%') },
+      needed,
+    ),
     some({ ...kind('linear'), ...move, ...rate }, needed),
     some({ ...kind('circular'), ...move, ...rate, via: target }, needed),
     some({ ...kind('wait'), ...aside, seconds: positive }, ['id', 'kind', 'seconds']),

@@ -33,7 +33,7 @@ const move = {
       value: anyNumber,
     }),
   ),
-  law: fc.constantFrom(undefined, /** @type {const} */ ('cubic')),
+  law: fc.constantFrom(undefined, /** @type {const} */ ('cubic'), /** @type {const} */ ('cubicSpline')),
   tool: fc.constantFrom(undefined, undefined, 'tool_1'),
   frame: fc.constantFrom(undefined, undefined, 'user_1', 'table'),
   comment: fc.option(anyText, { nil: undefined }),

@@ -87,6 +87,7 @@ describe('steps', () => {
       [{ ...line(here), ending: { kind: 'fine', value: 1 } }, 'ending'],
       [{ ...line(here), tool: 'gripper' }, '"gripper" as tool; expected the name of a tool'],
       [{ ...line(here), law: 'linear' }, 'law'],
+      [{ ...line(here), law: 'cubicSpline' }, 'law; expected trapezoid'],
       [joint({ kind: 'posture', values: [1, 2, 3] }), 'a posture of 2 joint values'],
       [joint({ kind: 'target', id: 'aim_1' }), 'the name of a target'],
       [{ kind: 'wait', seconds: 0 }, 'seconds'],

@@ -161,6 +161,24 @@ describe('zones', () => {
       expect(Math.hypot(...planMomentAt(plan, end).rates)).toBeGreaterThan(0.05);
     }
   });
+  test('a law that is not kept because the move does not stop is told; one that is, is not', () => {
+    const [first, second, third] = lines({ kind: 'distance', distance: 0.02 });
+    const by = (/** @type {Move} */ move, /** @type {string} */ law) => /** @type {Move} */ ({ ...move, law });
+    const told = (/** @type {Move[]} */ ...moves) =>
+      planMotion(chain, start, moves, LIMITS).parts.map(({ timing, instead }) => [timing, instead]);
+    expect(told(first, by(second, 'trapezoid'), by(third, 'quintic'))).toEqual([
+      ['trapezoid', 'doubleS'],
+      ['trapezoid', null],
+      ['trapezoid', 'quintic'],
+    ]);
+    expect(
+      told(by(first, 'timeOptimal'), by(/** @type {Move} */ ({ ...second, ending: FINE }), 'cubic'), third),
+    ).toEqual([
+      ['timeOptimal', null],
+      ['trapezoid', 'cubic'],
+      ['doubleS', null],
+    ]);
+  });
   test('what is not blended says why', () => {
     const share = /** @type {Ending} */ ({ kind: 'share', share: 0.5 });
     const [first, second] = lines(share);

@@ -5,7 +5,7 @@ import { arm, columnMajor, oracleForward, rodrigues, rotationOf, times } from '.
 /**
  * @import { ChainDescription } from '../../../src/kinematics/chain.js'
  * @import { JointRow } from '../../../src/kinematics/joint.js'
- * @import { Ending, JointLimits, Move, PlanLaw } from '../../../src/motion/moves.js'
+ * @import { Ending, JointLimits, Move, PlanLaw, ViaLaw } from '../../../src/motion/moves.js'
  *
  * @typedef {Omit<ChainDescription, 'joints'> & { joints: Required<JointRow>[] }} Arm
  *
@@ -16,6 +16,7 @@ import { arm, columnMajor, oracleForward, rodrigues, rotationOf, times } from '.
  * @property {number[]} bulge     m, of a circle's point on the way
  * @property {number} share       of speeds and accelerations
  * @property {PlanLaw} law
+ * @property {ViaLaw | null} through   of a joint move: by this law instead
  * @property {Ending} ending
  *
  * @typedef {object} Program
@@ -108,6 +109,7 @@ const anyStep = (dof) =>
     bulge: list(3, number(-0.1, 0.1)),
     share: number(0.05, 1),
     law: fc.constantFrom('trapezoid', 'doubleS', 'cubic', 'quintic', 'timeOptimal'),
+    through: fc.constantFrom(null, null, 'cubicSpline', 'parabolicBlends'),
     ending: anyEnding,
   });
 
@@ -147,8 +149,9 @@ const beside = ({ joints }, q, by) =>
   );
 
 /** @param {Arm} description @param {readonly number[]} from @param {readonly number[]} to @param {Step} step @returns {Move} */
-function moveOf(description, from, to, { kind, isNear, bulge, share, law, ending }) {
-  if (kind === 'joint') return { kind, posture: Float64Array.from(to), speed: share, acceleration: share, law, ending };
+function moveOf(description, from, to, { kind, isNear, bulge, share, law, through, ending }) {
+  const joint = { posture: Float64Array.from(to), speed: share, acceleration: share, ending };
+  if (kind === 'joint') return through ? { kind, ...joint, law: through } : { kind, ...joint, law };
   const [T, end] = [from, to].map((q) => oracleForward(description, q).tcp);
   // a way off may be out of reach, or so turned as the arm cannot be
   const turned = isNear ? rotationOf(end) : times(rodrigues([1, 2, 3], 10 * bulge[0]), rotationOf(end));

@@ -186,7 +186,9 @@ function expectSound(description, { start, moves, limits }) {
     const { posture } = planMomentAt({ ...plan, parts: plan.parts.slice(0, part.move + 1) }, part.end);
     if (move.kind === 'joint') {
       move.posture.forEach((value, i) => expect(Math.abs(posture[i] - value)).toBeLessThan(1e-9));
-      if (stops(part.move - 1)) expect(apartInTime(part, plan)).toBeLessThan(1e-6);
+      // with blends each joint has its own acceleration, so they are in proportion at both ends only
+      const inProportion = move.law !== 'parabolicBlends' && stops(part.move - 1);
+      if (inProportion) expect(apartInTime(part, plan)).toBeLessThan(1e-6);
       continue;
     }
     const is = oracleForward(description, posture).tcp;
@@ -206,7 +208,7 @@ describe('any moves', () => {
     const before = { ...tally };
     fc.assert(
       fc.property(anyProgram(description, near), (program) => expectSound(description, program)),
-      { seed: SEED, numRuns: runs(20) },
+      { seed: SEED, numRuns: runs(21) },
     );
     expect(tally.planned - before.planned).toBeGreaterThan(20);
     expect(tally.lines - before.lines).toBeGreaterThan(0);

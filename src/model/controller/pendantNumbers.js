@@ -46,7 +46,9 @@ function jointValue(robot, pendant, index) {
   const { sign, offset } = joint.controller;
   const value = sign * (between(joint, own, PENDANT_UNITS, robot.units) - offset) + 0;
   const { lower, upper } = limitsOf(joint);
-  return [lower, upper].find((limit) => Math.abs(value - limit) <= ROUNDING * Math.abs(limit)) ?? value;
+  const isAt = (/** @type {number} */ limit) =>
+    Number.isFinite(limit) && Math.abs(value - limit) <= ROUNDING * Math.abs(limit);
+  return [lower, upper].find(isAt) ?? value;
 }
 
 /**

@@ -151,3 +151,11 @@ test('it is offered where a controller has numbers or a configuration for the ar
     false,
   ]);
 });
+
+test('a joint without limits takes the number that it is given', () => {
+  const robot = {
+    ...LIBRARY.puma560,
+    joints: LIBRARY.puma560.joints.map((joint) => ({ ...joint, lower: undefined, upper: undefined })),
+  };
+  expect(postureFromPendant(robot, [1, 2, 3, 4, 5, 6])).toEqual([1, 2, 3, 4, 5, 6]);
+});

@@ -1,0 +1,113 @@
+import { expect, test } from 'vitest';
+import { runKrl } from '../../../src/karel/krl/interpreter.js';
+import { parseKrl } from '../../../src/karel/krl/parser.js';
+import { printKrl } from '../../../src/karel/krl/printer.js';
+import { krlName } from '../../../src/karel/write/krl.js';
+
+/** @import { KrlModule } from '../../../src/karel/krl/tree.js' */
+
+/** @type {KrlModule} */
+const MODULE = {
+  kind: 'krl',
+  name: 'Demo',
+  comments: ['about it', ''],
+  statements: [
+    { kind: 'comment', text: 'FOLD INI' },
+    { kind: 'interrupt', text: 'INTERRUPT ON 3' },
+    { kind: 'bas', what: 'INITMOV', value: 0 },
+    { kind: 'comment', text: 'ENDFOLD (INI)' },
+    { kind: 'bas', what: 'TOOL', value: 2 },
+    { kind: 'bas', what: 'BASE', value: 1 },
+    { kind: 'bas', what: 'VEL_PTP', value: 20 },
+    { kind: 'assign', target: '$APO.CPTP', value: 50 },
+    { kind: 'motion', motion: 'PTP', target: 'XP1', approximation: ['C_PTP'] },
+    { kind: 'assign', target: '$VEL.CP', value: 0.25 },
+    { kind: 'assign', target: '$OUT[3]', value: true },
+    { kind: 'motion', motion: 'LIN', target: 'XP2', approximation: [] },
+    { kind: 'wait', seconds: 0.5 },
+    { kind: 'wait-for', input: 2, value: true },
+    { kind: 'motion', motion: 'CIRC', via: 'XP2', target: 'XP3', approximation: ['C_DIS'] },
+    { kind: 'call', program: 'gripper' },
+  ],
+  data: [
+    { name: 'XP1', type: 'AXIS', members: { A1: 0, A2: -90, A3: 90.125 } },
+    { name: 'XP2', type: 'POS', members: { X: 1, Y: 2, Z: 3, A: 10, B: 20, C: 30, S: 6, T: 27 } },
+    { name: 'XP3', type: 'FRAME', members: { X: 4, Y: 5, Z: 6, A: 0, B: -0.5, C: 0 } },
+  ],
+};
+/** @param {unknown} value @returns {unknown} */
+const bare = (value) => JSON.parse(JSON.stringify(value, (key, inner) => (key === 'span' ? undefined : inner)));
+
+test('what is written is read as the same', () => {
+  const { src, dat } = printKrl(MODULE);
+  expect(dat).toContain("DECL POS XP2={X 1.000,Y 2.000,Z 3.000,A 10.000,B 20.000,C 30.000,S 'B110',T 'B11011'}");
+  const { tree, diagnostics, datDiagnostics } = parseKrl(src, dat);
+  expect([...diagnostics, ...datDiagnostics]).toEqual([]);
+  expect(bare(tree)).toEqual(bare(MODULE));
+});
+
+test('it runs: PTP, LIN and CIRC are moves with their frames, speeds, and C B A as w p r', () => {
+  const { src, dat } = printKrl(MODULE);
+  const run = runKrl(parseKrl(src, dat).tree, { input: (index, time) => index === 2 && time > 600 });
+  const effects = [...run];
+  const moves = effects.filter(({ kind }) => kind === 'move');
+  expect(moves).toMatchObject([
+    {
+      motion: 'J',
+      isJoint: true,
+      position: [0, -90, 90.125],
+      speed: { value: 20, unit: '%' },
+      termination: { kind: 'CNT', value: 50 },
+      userFrame: 1,
+      toolFrame: 2,
+    },
+    {
+      motion: 'L',
+      position: [1, 2, 3, 30, 20, 10, 0, 0, 0, 0],
+      status: 6,
+      turn: 27,
+      speed: { value: 250, unit: 'mm/sec' },
+      termination: { kind: 'FINE' },
+    },
+    { motion: 'C', via: [1, 2, 3, 30, 20, 10, 0, 0, 0, 0], termination: { kind: 'DIS' } },
+  ]);
+  expect(effects.at(-1)).toMatchObject({ kind: 'call', program: 'GRIPPER' });
+});
+
+test.for([
+  ['LIN XP2', 'the first motion has to be PTP'],
+  ['PTP XP9', 'XP9 is not in the data list'],
+  ['PTP XP1\nLIN XP1', 'LIN and CIRC need X Y Z A B C'],
+])('%s is an alarm', ([lines, reason]) => {
+  const { dat } = printKrl(MODULE);
+  const { tree } = parseKrl(`DEF a ( )\n${lines}\nEND\n`, dat);
+  const run = runKrl(tree);
+  let next = run.next();
+  while (!next.done) next = run.next();
+  expect(next.value).toMatchObject({ status: 'alarm', alarm: { reason: expect.stringContaining(reason) } });
+});
+
+test('what it does not know it says, with its line; and what cannot be written is refused', () => {
+  const { diagnostics, datDiagnostics } = parseKrl(
+    'DEF a ( )\nSPLINE\nPTP XP1\nEND\nx\n',
+    'DEFDAT a\nDECL POS XP1={X 1,Y}\nENDDAT\n',
+  );
+  expect(diagnostics.map(({ span, message }) => [span.line, message.slice(0, 28)])).toEqual([
+    [2, 'Expected a statement that is'],
+    [5, 'Expected nothing behind END,'],
+  ]);
+  expect(datDiagnostics.map(({ span }) => span.line)).toEqual([2]);
+  for (const part of [
+    { name: 'a b' },
+    { comments: ['a\nPTP XP1'] },
+    { statements: [{ kind: /** @type {const} */ ('call'), program: 'a()\nb' }] },
+  ])
+    expect(() => printKrl({ ...MODULE, ...part })).toThrow(RangeError);
+  expect(['Größe 2', '2 arms', '', 'PTP', 'a'.repeat(40)].map(krlName)).toEqual([
+    'Grosse_2',
+    'P_2_arms',
+    'P',
+    'PTP_1',
+    'a'.repeat(24),
+  ]);
+});

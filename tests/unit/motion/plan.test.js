@@ -55,14 +55,26 @@ const straightTo = (T_base_tcp, more) => ({
 });
 
 describe('joint moves', () => {
-  test('six joints take the time that ruckig takes', () => {
-    const { q0, q1, vmax, amax, jmax, duration } = RUCKIG[RUCKIG.length - 1];
-    const limits = {
-      rates: Float64Array.from(vmax),
-      accelerations: Float64Array.from(amax),
-      jerks: Float64Array.from(jmax ?? []),
-    };
-    expect(planMotion(plainArm(6), Float64Array.from(q0), [to(q1)], limits).duration).toBeCloseTo(duration, 12);
+  const six = RUCKIG.filter(({ q0 }) => q0.length === 6);
+  test.each(six.map((each) => /** @type {const} */ ([each.name, each])))(
+    'six joints take the time that ruckig takes: %s',
+    (_, each) => {
+      const { q0, q1, vmax, amax, jmax, duration } = each;
+      const limits = {
+        rates: Float64Array.from(vmax),
+        accelerations: Float64Array.from(amax),
+        jerks: Float64Array.from(jmax ?? []),
+      };
+      expect(planMotion(plainArm(6), Float64Array.from(q0), [to(q1)], limits).duration).toBeCloseTo(duration, 12);
+    },
+  );
+  test('the quintic law of six joints is the toolbox’s jtraj, step by step', () => {
+    const { q } = /** @type {JointsCase} */ (toolboxCase('jtraj qz->qn puma 51 steps'));
+    const last = q.length - 1;
+    const laws = q[0].map((from, k) => quinticLaw(from, q[last][k], last));
+    q.forEach((row, i) =>
+      laws.forEach((law, k) => expect(Math.abs(momentAt(law, i).position - row[k])).toBeLessThan(1e-9)),
+    );
   });
   test('the quintic law is the toolbox’s jtraj', () => {
     const { t, q, qd } = /** @type {JointsCase} */ (toolboxCase('jtraj 2dof 2s'));

@@ -5,7 +5,9 @@ import { createChain } from '../../../src/kinematics/chain.js';
 import { blendPath } from '../../../src/motion/blend.js';
 import { followPath } from '../../../src/motion/followPath.js';
 import { pathMomentAt } from '../../../src/motion/posturePath.js';
+import { momentAt } from '../../../src/motion/timeLaw.js';
 import { arcPath, linePath } from '../../../src/motion/toolPath.js';
+import { trapezoidInTime } from '../../../src/motion/trapezoidInTime.js';
 import { SEED, runs } from '../../helpers/property.js';
 import { angleBetween, arm, columnMajor, distanceBetween, oracleForward, rowsOf } from '../kinematics/oracle.js';
 import { ARCS, toolboxCase } from './references.js';
@@ -32,6 +34,17 @@ describe('ways of the tool', () => {
       expect(angleBetween(pose, T[i])).toBeLessThan(1e-9);
     });
     expect(path.poseAt(1)).toEqual(columnMajor(T1));
+  });
+  test('with the trapezoid it is the toolbox’s ctraj', () => {
+    const { T0, T1, T } = /** @type {LineCase} */ (toolboxCase('ctraj 11 steps (trapezoidal s, slerp)'));
+    const last = T.length - 1;
+    const path = linePath(columnMajor(T0), columnMajor(T1));
+    const { law } = trapezoidInTime(0, 1, last, { rate: 1.5 / last });
+    T.forEach((wanted, i) => {
+      const pose = rowsOf(path.poseAt(momentAt(law, i).position));
+      expect(distanceBetween(pose, wanted)).toBeLessThan(1e-9);
+      expect(angleBetween(pose, wanted)).toBeLessThan(1e-9);
+    });
   });
   test.each(ARCS.map((each) => /** @type {const} */ ([each.name, each])))(
     '%s',

@@ -52,6 +52,11 @@ test.for(
     ['quoted for now', '%mode quote "$"\n%define A 1\n%defeval B $A + A\n%undef A\n%mode quote\nx = B', ['x = A + 1']],
     ['modes end with their stack', '%mode push\n%mode string QQQ "`" "`"\n%mode pop\n%define a `1\nx = a', ['x = 1']],
     ['directives that macros write', '%define w(a) `%define a 7`\nw(N)\nx = N', ['x = 7']],
+    [
+      'a body in the mode of its definition',
+      '%mode push\n%mode quote "$"\n%define A 1\n%define B $A\n%mode pop\nx = B + A',
+      ['x = A + 1'],
+    ],
     ['a name taken back', '%define N 5\n%undef N\nx = N', ['x = N']],
     ['what is defined', '%define D\n%ifdef D\nx = 1\n%else\nx = 2\n%endif', ['x = 1']],
     ['what is not defined', '%ifndef D\nx = 1\n%else\nx = 2\n%endif', ['x = 1']],

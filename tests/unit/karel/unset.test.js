@@ -39,6 +39,7 @@ test.for(
     ['set in one case', 'SELECT p OF\nCASE(1):\na = 1\nELSE:\nENDSELECT\nb = a', []],
     ['asked for before the loop that sets it', 'WHILE a < 3 DO\na = 5\nENDWHILE', ['a 1']],
     ['set in an earlier round', 'WHILE p < 3 DO\nIF p = 2 THEN\nb = a\nENDIF\na = 1\nENDWHILE', []],
+    ['set in an earlier round of FOR', 'FOR b = 1 TO 3 DO\nIF b = 2 THEN\nc = a\nENDIF\na = 1\nENDFOR', []],
     ['set in the loop that asks behind', 'REPEAT\na = 1\nUNTIL a > 0', []],
     ['set in a loop', 'FOR b = 1 TO 3 DO\na = b\nENDFOR\nc = a', []],
     ['a bound of its own loop', 'FOR a = 1 TO a DO\nENDFOR', ['a 1']],

@@ -24,11 +24,14 @@ import {
 
 /** What is promised of the boundary, m. */
 const BOUNDARY = 5e-5;
-const CELL = 4e-3;
+const CELL = 8e-3;
+
+/** Lines may be off the curves by a little less than that. */
+const TOLERANCE = 4.5e-5;
 
 /** @param {ChainDescription} arm @param {SectionOptions} [options] */
 function sectionOf(arm, options) {
-  const section = sectionAtOnce(createChain(arm), { cell: CELL, ...options });
+  const section = sectionAtOnce(createChain(arm), { cell: CELL, tolerance: TOLERANCE, ...options });
   if (!section) throw new Error('Expected a section.');
   return section;
 }
@@ -166,6 +169,7 @@ describe('the section of', () => {
   test.each(CASES)('%s is what its closed form says', (_name, arm, options, inside, area, volume) => {
     const section = sectionOf(arm, options);
     expect(section.sides).toBe('proven');
+    expect(section.gap).toBeLessThan(5e-3); // tips are thinner than what is asked beside a curve, and not followed to their end
     expect(farthestOff(section, inside)).toBeLessThan(BOUNDARY);
     expect(wrongCells(section, inside)).toBe(0);
     expect(Math.abs(section.area - area)).toBeLessThanOrEqual(section.areaError + 1e-9);
@@ -212,7 +216,7 @@ describe('the section of', () => {
   });
 
   test('a finer tolerance brings the area nearer', () => {
-    const off = [2e-4, 1e-5].map((tolerance) =>
+    const off = [4e-4, 2e-5].map((tolerance) =>
       Math.abs(sectionOf(planar([0.5, 0.3]), { tolerance }).area - 4 * Math.PI * 0.15),
     );
     expect(off[1]).toBeLessThan(off[0] / 10);

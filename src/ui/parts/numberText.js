@@ -38,6 +38,7 @@ export function readNumber(text) {
   if (DECIMAL_COMMA.test(typed)) return { value: null, reason: TEXT.number.comma(typed.replace(',', '.')) };
   if (!NUMBER.test(typed)) return { value: null, reason: TEXT.number.notANumber(text.trim()) };
   const value = Number(typed);
+  if (value === 0 && /^[^eE]*[1-9]/.test(typed)) return { value: null, reason: TEXT.number.tooSmall };
   if (!(Math.abs(value) <= LARGEST_NUMBER)) return { value: null, reason: TEXT.number.tooLarge };
   return { value, reason: null };
 }

@@ -77,6 +77,8 @@ describe('a typed number', () => {
     'NaN',
     'Infinity',
     '1e400',
+    '1e-400',
+    '-0.5e-330',
     '2e9',
     '--1',
     '1e',
@@ -84,6 +86,10 @@ describe('a typed number', () => {
     '٣',
     '1_000',
   ];
+  test('0 is 0, however it is written', () => {
+    for (const text of ['0', '-0.0', '0e-400']) expect(Math.abs(readNumber(text).value ?? 1)).toBe(0);
+  });
+
   test.each(bad)('“%s” is refused with a reason', (text) => {
     const { value, reason } = readNumber(text);
     expect(value).toBeNull();

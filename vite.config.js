@@ -7,6 +7,7 @@ import { threeParts } from './scripts/threeParts.mjs';
 export default defineConfig({
   base: './',
   plugins: [contentPolicyPlugin(), threeParts()],
+  worker: { format: 'es' }, // what jobs have in common is fetched by all of them
   css: { postcss: { plugins: [bootstrapParts()] } },
   build: {
     target: 'es2022',

@@ -8,12 +8,10 @@
  */
 import { createLastQuestion } from '../parts/lastQuestion.js';
 
-const start = () => new Worker(new URL('../../workers/solveAll.js', import.meta.url), { type: 'module' });
-
 /** @param {(error: unknown) => void} onError */
 export function createSolveApart(onError) {
-  /** @type {ReturnType<typeof createLastQuestion<SolveAllAnswer>>} */
-  const apart = createLastQuestion(start, onError);
+  /** @type {ReturnType<typeof createLastQuestion<Omit<SolveAllQuestion, 'id'>, SolveAllAnswer>>} */
+  const apart = createLastQuestion('solveAll', onError);
   return {
     /** @param {Omit<SolveAllQuestion, 'id'>} question @param {(all: SolvedAll) => void} onAnswer */
     ask(question, onAnswer) {

@@ -7,6 +7,7 @@
  *
  * @typedef {{ question: SingularityQuestion, onAnswer: (found: FoundSingularity) => void }} Asked
  */
+import { startJob } from '../parts/startJob.js';
 
 /** @param {(error: unknown) => void} onError */
 export function createSingularityApart(onError) {
@@ -19,7 +20,7 @@ export function createSingularityApart(onError) {
   let id = 0;
 
   function start() {
-    const made = new Worker(new URL('../../workers/findSingularity.js', import.meta.url), { type: 'module' });
+    const made = startJob('findSingularity');
     made.onerror = (event) => {
       running = null;
       onError(new Error(event.message));

@@ -2,25 +2,22 @@
  * A worker for one question at a time, started when it is first needed. A question that is overtaken by another, or is not wanted
  * any more, is given up with the worker that is busy on it.
  *
+ * @import { JobName } from '../../workers/worker.js'
+ */
+import { startJob } from './startJob.js';
+
+/**
+ * @template {object} Question
  * @template {{ id: number }} Answer
- * @param {() => Worker} start
+ * @param {JobName} job
  * @param {(error: unknown) => void} onError
  * @param {(answer: Answer) => boolean} [isLast]  whether the worker has said all
  */
-export function createLastQuestion(start, onError, isLast = () => true) {
+export function createLastQuestion(job, onError, isLast = () => true) {
   /** @type {Worker | null} */
   let worker = null;
   let isBusy = false;
   let latest = 0;
-
-  function begin() {
-    const begun = start();
-    begun.onerror = (event) => {
-      isBusy = false;
-      onError(new Error(event.message));
-    };
-    return begun;
-  }
 
   function cancel() {
     latest++;
@@ -31,15 +28,22 @@ export function createLastQuestion(start, onError, isLast = () => true) {
   }
 
   return {
-    /** @param {object} question @param {(answer: Answer) => void} onAnswer */
+    get isBusy() {
+      return isBusy;
+    },
+    /** @param {Question} question @param {(answer: Answer) => void} onAnswer  perhaps several times */
     ask(question, onAnswer) {
       cancel();
-      worker ??= begin();
+      worker ??= startJob(job);
       isBusy = true;
       const id = latest;
+      worker.onerror = (event) => {
+        cancel();
+        onError(new Error(event.message));
+      };
       worker.onmessage = ({ data }) => {
         if (data.id !== latest) return;
-        isBusy = !isLast(data);
+        if (isLast(data)) isBusy = false;
         onAnswer(data);
       };
       worker.postMessage({ id, ...question });

@@ -7,14 +7,12 @@
  */
 import { createLastQuestion } from '../parts/lastQuestion.js';
 
-const start = () => new Worker(new URL('../../workers/planMotion.js', import.meta.url), { type: 'module' });
-
 /** @param {PlanMotionAnswer} answer */
 const isLast = (answer) => !('planned' in answer);
 
 /** @param {(error: unknown) => void} onError */
 export function createPlanApart(onError) {
-  const apart = createLastQuestion(start, onError, isLast);
+  const apart = createLastQuestion('planMotion', onError, isLast);
   return {
     /**
      * @param {Omit<PlanMotionQuestion, 'id'>} question

@@ -10,17 +10,17 @@
  */
 import { checkNow, checkRequest, checkWanted, isSameCheck, stepTouches } from '../../model/workcell/programCheck.js';
 import { together } from '../../model/views.js';
-import { createApart } from './askApart.js';
+import { createLastQuestion } from '../parts/lastQuestion.js';
 
 /** @param {Page} page @param {Workcells} cells */
 export function createProgramChecker({ store, addView, derived, clock, messages }, cells) {
-  const apart = createApart(
-    () => new Worker(new URL('../../workers/checkPlan.js', import.meta.url), { type: 'module' }),
-    (/** @type {CheckPlanAnswer} */ answer) => 'found' in answer,
+  const apart = createLastQuestion(
+    'checkPlan',
     (error) => {
       show({ progress: null });
       messages.fault(error);
     },
+    (/** @type {CheckPlanAnswer} */ answer) => 'found' in answer,
   );
   /** @type {ReturnType<typeof checkWanted>} that was asked last */
   let asked = null;

@@ -12,9 +12,9 @@ import { aroundRequest, endsOfMove, waySteps } from '../../model/workcell/progra
 import { together } from '../../model/views.js';
 import { fill, h } from '../parts/dom.js';
 import { fixed } from '../parts/format.js';
+import { createLastQuestion } from '../parts/lastQuestion.js';
 import { attempt } from '../page.js';
 import { COLLISIONS } from '../words/collisions.js';
-import { createApart } from './askApart.js';
 import { bodiesText } from './closenessText.js';
 
 /** Of one search; whoever wants goes on with another seed. */
@@ -25,13 +25,13 @@ const grouped = (/** @type {number} */ count) => String(count).replace(/\B(?=(\d
 /** @param {Page} page @param {Workcells} cells */
 export function createWayFinder(page, cells) {
   const { store, addView, derived, clock, announce, messages } = page;
-  const apart = createApart(
-    () => new Worker(new URL('../../workers/planAround.js', import.meta.url), { type: 'module' }),
-    (/** @type {PlanAroundAnswer} */ answer) => 'found' in answer,
+  const apart = createLastQuestion(
+    'planAround',
     (error) => {
       tell();
       messages.fault(error);
     },
+    (/** @type {PlanAroundAnswer} */ answer) => 'found' in answer,
   );
   const text = h('p', {});
   const bar = h('progress', { max: ITERATIONS, 'aria-label': COLLISIONS.progress });

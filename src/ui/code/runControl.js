@@ -138,7 +138,7 @@ export function createRunControl({ store, derived, clock, announce, messages }, 
       if (motion.time < motion.plan.duration) return become('running', CODE.status.moving(line()));
       motion = null;
     }
-    owed = Math.max(0, owed - seconds);
+    owed = Math.max(-seconds, owed - seconds); // what is waited for within a frame is waited for
     if (owed > 0) return become('running', CODE.status.waiting(line()));
     let left = STATEMENTS;
     while (
@@ -147,7 +147,9 @@ export function createRunControl({ store, derived, clock, announce, messages }, 
       run &&
       heed(run.advance(isStop, STATEMENTS, () => store.state.doc.posture))
     );
-    if (mode === 'running') become('running', motion ? CODE.status.moving(line()) : CODE.status.running(line()));
+    if (mode !== 'running') return;
+    const { moving, waiting, running } = CODE.status;
+    become('running', (motion ? moving : owed > 0 ? waiting : running)(line()));
   }
 
   function goOn() {

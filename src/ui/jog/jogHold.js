@@ -106,7 +106,8 @@ export function watchJogKeys(keys, { isOpen, isMoving, press, stop }) {
   function buttonOfKey({ code, shiftKey, target }) {
     const row = ROW_CODE.exec(code)?.[1];
     if (row === undefined || !(target instanceof Element)) return null;
-    const isHere = target === document.body || (keys.closest('.jog-panel')?.contains(target) && !target.matches('input'));
+    const isHere =
+      target === document.body || (keys.closest('.jog-panel')?.contains(target) && !target.matches('input'));
     return isHere ? buttonOf(Number(row) - 1, shiftKey ? -1 : 1) : null;
   }
 }

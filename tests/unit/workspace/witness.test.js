@@ -19,10 +19,15 @@ import { planar } from './arms.js';
 
 const isDeep = Boolean(process.env.DENAVIT_DEEP);
 
-/** @param {Chain} chain @param {SectionOptions} options @returns {Section} */
+/** @type {Map<string, Section>} */
+const known = new Map();
+
+/** Several tests look at the same one. @param {Chain} chain @param {SectionOptions} options @returns {Section} */
 function sectionOf(chain, options) {
-  const section = sectionAtOnce(chain, options);
+  const key = JSON.stringify([chain.joints, options]);
+  const section = known.get(key) ?? sectionAtOnce(chain, options);
   if (!section) throw new Error('Expected a section.');
+  known.set(key, section);
   return section;
 }
 
@@ -82,11 +87,19 @@ function byAnyOrientation(chain, directions) {
     inverseKinematics(chain, poseOf(turns[0], [u, 0, v])).reason !== 'distance';
 }
 
+/** Of few places in `npm test`: the finer ones are for the full counts. @type {SectionOptions} */
+const COARSE = { cell: 4e-3, tolerance: 5e-4 };
+
 /** @type {[name: string, judge: (chain: Chain) => (u: number, v: number) => boolean, count: number, options: SectionOptions][]} */
 const CASES = [
-  ['puma560', (chain) => byAllSolutions(chain, UPRIGHT, [1, 2]), 250, { cell: 2e-3 }],
-  ['scara_cobra600', (chain) => byAllSolutions(chain, DOWN, [1, 2]), 150, { cell: 1e-3, tolerance: 1e-4 }],
-  ['ur5', (chain) => byAnyOrientation(chain, 12), 25, isDeep ? {} : { cell: 4e-3, tolerance: 2e-4 }],
+  ['puma560', (chain) => byAllSolutions(chain, UPRIGHT, [1, 2]), 100, isDeep ? { cell: 2e-3 } : COARSE],
+  [
+    'scara_cobra600',
+    (chain) => byAllSolutions(chain, DOWN, [1, 2]),
+    60,
+    isDeep ? { cell: 1e-3, tolerance: 1e-4 } : COARSE,
+  ],
+  ['ur5', (chain) => byAnyOrientation(chain, 12), 10, isDeep ? {} : { cell: 8e-3, tolerance: 1e-3 }],
 ];
 
 describe('inverse kinematics and the section agree, but for a cell at the boundary,', () => {
@@ -119,7 +132,7 @@ describe('no sampled place is outside of the section of', () => {
     ['puma560', { withLimits: false }],
   ])('%s %j', (name, options) => {
     const chain = createChain(publishedArm(name));
-    const { frame, cells } = sectionOf(chain, { ...options, cell: 2e-3 });
+    const { frame, cells } = sectionOf(chain, { ...options, ...(isDeep ? { cell: 2e-3 } : COARSE) });
     const count = isDeep ? 1e6 : 5000;
     const places = new Float32Array(3 * count);
     createSampler(chain, options).fill(0, places);

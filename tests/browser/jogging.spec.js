@@ -153,6 +153,8 @@ test('what is held moves by the clock until it is let go, is one step to undo, a
     () => page.keyboard.press('Escape'),
     () => page.evaluate(() => dispatchEvent(new Event('blur'))),
   ]) {
+    await ticks(1);
+    await button(page, 'Z, minus').hover(); // what was said before may have moved it
     await page.mouse.down();
     await ticks(10);
     await stop();

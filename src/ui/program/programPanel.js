@@ -221,6 +221,7 @@ export function createProgramPanel(page, host, files, cells) {
 
   const fold = foldMaker(clock, messages.fault)('postures', async (body) => createPosturesList(page, body, files));
   fold.element.classList.add('postures');
+  fold.setHead(POSTURES.title); // from the first moment: how many there are is drawn with the rest
   const list = h('ul', { class: 'plan-notes sm' });
   const notes = foldMaker(clock, messages.fault)('plan-notes', async (body) => void fill(body, list));
   // until the first drawing knows which of them are called for

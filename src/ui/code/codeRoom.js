@@ -14,6 +14,8 @@ import outIcon from 'bootstrap-icons/icons/box-arrow-up.svg?raw';
 import overIcon from 'bootstrap-icons/icons/arrow-return-right.svg?raw';
 import stopIcon from 'bootstrap-icons/icons/stop-fill.svg?raw';
 import { namesOf, problemsOf } from '../../model/code/codeProblems.js';
+import '../css/codeEditor.css';
+import '../css/codeRun.css';
 import { attempt, newGesture } from '../page.js';
 import { fill, h } from '../parts/dom.js';
 import { icon, iconOf } from '../parts/icons.js';

@@ -8,6 +8,7 @@
  * @import { Workcells } from '../../model/workcell/workcell.js'
  */
 import '../css/timeline.css';
+import '../css/timelineNarrow.css';
 import repeat from 'bootstrap-icons/icons/repeat.svg?raw';
 import $ from 'jquery/slim';
 import { planNow, playbackNow } from '../../model/program/planning.js';

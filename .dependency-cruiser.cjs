@@ -11,7 +11,7 @@ const MAY_IMPORT = {
   model: { folders: ['kinematics', 'motion', 'karel'], packages: [] },
   io: { folders: ['model', 'karel', 'kinematics'], packages: ['@rgrove/parse-xml', 'fflate'] },
   workers: { folders: ['kinematics', 'motion', 'workspace'], packages: [] },
-  render: { folders: ['model', 'kinematics'], packages: ['three', '@types/three'] },
+  render: { folders: ['model', 'kinematics'], packages: ['three', '@types/three', 'earcut'] },
   ui: {
     folders: ['model', 'io', 'karel', 'workers'],
     packages: [

@@ -1,6 +1,6 @@
 /**
- * npm test: everything that must hold. What only reads the source runs side by side, the rest one after another. `--deep`
- * runs the full counts on a fresh seed; DENAVIT_SEED repeats one.
+ * npm test: everything that must hold. What only reads the source runs side by side, and so do the unit tests and those in the
+ * browser. `--deep` runs the full counts on a fresh seed; DENAVIT_SEED repeats one.
  *
  * @import { Step } from './steps.mjs'
  */
@@ -37,15 +37,17 @@ const steps = (noBrowser) => [
     ],
     summary: /no dependency violations found \((.*)\)|\d+ dependency violations/,
   },
-  {
-    name: 'unit',
-    command: ['node_modules/vitest/vitest.mjs', 'run', '--allowOnly=false'],
-    summary: /^\s*(Test Files.*\n\s*Tests.*)$/m,
-  },
   { name: 'build', command: ['node_modules/vite/bin/vite.js', 'build', '--logLevel', 'warn'] },
   { name: 'size', command: ['scripts/size.mjs'], needs: 'build', summary: /^First load .*$/m },
   {
+    name: 'unit',
+    isBeside: true,
+    command: ['node_modules/vitest/vitest.mjs', 'run', '--allowOnly=false'],
+    summary: /^\s*(Test Files.*\n\s*Tests.*)$/m,
+  },
+  {
     name: 'browser',
+    isBeside: true, // it waits for frames more than it computes
     command: ['node_modules/@playwright/test/cli.js', 'test', '--forbid-only'],
     needs: 'build',
     problem: noBrowser,

@@ -161,6 +161,23 @@ function stand(robot, isOther, link) {
       return (host) => createCodePanel(page, host, { version, today });
     },
   );
+  const mapping = onceLoaded(() =>
+    Promise.all([
+      import('./ui/workspace/mapping.js'),
+      import('./ui/workspace/sceneLine.js'),
+      import('./render/workspaceView.js'),
+    ]),
+  );
+  lazyPanel(
+    page,
+    shell.tabs.workspace,
+    ({ tab }) => tab === 'workspace',
+    async () => {
+      // the panel asks for a map at once
+      const [{ createWorkspacePanel }] = await Promise.all([import('./ui/workspace/workspacePanel.js'), mapping()]);
+      return (host) => createWorkspacePanel(page, host);
+    },
+  );
   lazyPanel(
     page,
     shell.tabs.jacobian,
@@ -168,6 +185,17 @@ function stand(robot, isOther, link) {
     async () => {
       const { createJacobianPanel } = await import('./ui/jacobian/jacobianPanel.js');
       return (host) => createJacobianPanel(page, host);
+    },
+  );
+  whenFirst(
+    page,
+    ({ session }) => session.workspace !== null,
+    async () => {
+      const [{ createMapping }, { createSceneLine }, { createWorkspaceView }] = await mapping();
+      createMapping(page);
+      if (!stage) return;
+      createWorkspaceView(page, stage);
+      createSceneLine(page, shell.view);
     },
   );
   whenFirst(
@@ -225,6 +253,11 @@ function stand(robot, isOther, link) {
         const { obstacleAt } = createWorkcellView(page, stage, { cells: await cells(), text });
         createObstacleDrag(page, { stage, room: shell.view, missing, obstacleAt });
       },
+    );
+    whenFirst(
+      page,
+      ({ session }) => session.code.path !== null,
+      async () => (await import('./render/codeView.js')).createCodeView(page, stage),
     );
     dragWhenNear(page, { stage, room: shell.view, isWide, missing, userFrame, onError: messages.fault });
   } else {

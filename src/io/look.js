@@ -7,6 +7,7 @@
  * @typedef {readonly number[]} CameraNumbers  azimuth and elevation in degrees, distance in metres, what is looked at in metres
  *   (x, y, z), and how many times as wide as high the picture is
  */
+import { writeWorkspaceLook } from './workspaceLook.js';
 
 /** What is not written: a page begins so. */
 const FIRST = { tab: 'robot', panel: 'jog', frames: 'ends', projection: 'perspective' };
@@ -14,7 +15,7 @@ const DIGITS = 6;
 
 /**
  * @param {{ panels?: Session | null, view?: Session | null, camera?: CameraNumbers | null }} of  `panels`: what is open;
- *   `view`: frames and projection; `camera`: where it is seen from
+ *   `view`: frames, projection and what is asked of the workspace; `camera`: where it is seen from
  * @returns {string} as in an address; empty where all is as a page begins
  */
 export function writeLook({ panels, view, camera }) {
@@ -25,6 +26,7 @@ export function writeLook({ panels, view, camera }) {
   return [
     ...fields(panels, 'tab', 'panel'),
     ...fields(view, 'frames', 'projection'),
+    ...(view?.workspace ? writeWorkspaceLook(view.workspace) : []),
     ...(numbers ? [`camera=${numbers.join()}`] : []),
   ].join('&');
 }

@@ -35,7 +35,7 @@ const MOST_ROOMS = 20;
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$/;
 
 /** @type {readonly Exclude<Room, 'bar'>[]} */
-const ROOMS = ['robot', 'program', 'code', 'jacobian', 'jog', 'pose', 'aim'];
+const ROOMS = ['robot', 'program', 'code', 'workspace', 'jacobian', 'jog', 'pose', 'aim'];
 
 /**
  * @template {string} Value

@@ -8,11 +8,12 @@
  *   understood, and is left as it is
  */
 import { SCHEMA } from './queryParameters.js';
+import { readWorkspaceLook } from './workspaceLook.js';
 
 const CAMERA_NUMBERS = 7;
 const VALUES = {
-  tab: ['robot', 'program', 'code', 'jacobian'],
-  panel: ['robot', 'program', 'code', 'jacobian', 'jog', 'aim'],
+  tab: ['robot', 'program', 'code', 'workspace', 'jacobian'],
+  panel: ['robot', 'program', 'code', 'workspace', 'jacobian', 'jog', 'aim'],
   frames: SCHEMA.frames.values,
   projection: SCHEMA.projection.values,
 };
@@ -20,14 +21,13 @@ const VALUES = {
 /** @param {string} text  as in an address @returns {Look} */
 export function readLook(text) {
   const given = new URLSearchParams(text);
-  /** @type {Record<string, string>} */
-  const change = {};
-  /** @type {string[]} */
-  const refused = [];
+  const { view, refused } = readWorkspaceLook(given);
+  /** @type {Partial<Session>} */
+  const change = view ? { workspace: view } : {};
   for (const [name, values] of Object.entries(VALUES)) {
     const value = given.get(name);
     if (value === null) continue;
-    if (values.some((one) => one === value)) change[name] = value;
+    if (values.some((one) => one === value)) Object.assign(change, { [name]: value });
     else refused.push(name);
   }
   const written = given.get('camera');

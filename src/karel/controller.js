@@ -17,6 +17,7 @@
  * @property {Host} host
  * @property {Level[]} levels    who runs, last, and who waits for whom
  * @property {Record<string, Value[][]>} globals   what variables of KAREL programs hold between their runs
+ * @property {Map<string, ReturnType<typeof linkKarel>>} linked   KAREL programs that have run
  * @property {Outcome | null} refusal              of a program that cannot run
  *
  * @typedef {object} Programs   by their names
@@ -25,7 +26,7 @@
  *
  * @typedef {Omit<Outcome, 'state'> & { program: string, state: State | TpState | null }} ControllerOutcome
  */
-import { createMachine, runMachine } from './interpreter.js';
+import { createMachine, linkKarel, runMachine } from './interpreter.js';
 import { copiedState } from './run/values.js';
 import { createTpMachine, runTpMachine } from './tp/interpreter.js';
 
@@ -37,7 +38,10 @@ export function* runController(start, programs, host = {}) {
 /** @param {string} start  the name of the first program @param {Programs} programs @param {Host} [host] @returns {Controller} */
 export function createController(start, programs, host = {}) {
   /** @type {Controller} */
-  const controller = { programs, host: { ...host, programs: programs.karel }, levels: [], globals: {}, refusal: null };
+  const controller = {
+    ...{ programs, host: { ...host, programs: programs.karel }, levels: [], globals: {}, refusal: null },
+    linked: new Map(),
+  };
   if (!enter(start.toUpperCase(), [], controller))
     throw new RangeError(`Expected a program that is here, got "${start}".`);
   return controller;
@@ -118,9 +122,13 @@ function levelFor(name, args, controller) {
     return { name, language: 'tp', machine: createTpMachine(listing, host, { listings: programs.listings, args }) };
   const tree = named(programs.karel, name);
   if (!tree) return null;
-  const { machine, errors } = createMachine(tree, host);
+  // Linked once: what a state counts (programs, routines) is the same when it is put back.
+  const linker = controller.linked.get(name) ?? linkKarel(tree, host);
+  controller.linked.set(name, linker);
+  const { machine, errors } = createMachine(tree, host, linker);
   if (errors.length) controller.refusal = { status: 'refused', state: machine.state, diagnostics: errors };
   machine.state.globals = globals[name] ??= machine.state.globals;
+  machine.state.args = args;
   return { name, language: 'karel', machine };
 }
 

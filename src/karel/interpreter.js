@@ -5,7 +5,7 @@
  * Effects: `write` { device, text }, `read` (put lines into `machine.state.input`, then go on), `wait` { milliseconds } (time
  * passed: inputs may change), `move`, `call` { program, args } of what is no KAREL here (TP), `run-task`, `error` (POST_ERR), `alarm` { task } of a task that is
  * not the program's own,
- * `motion-control`, `hand`, `pause`, `step` { line } where they are wanted. The generator's value says how it ended:
+ * `motion-control`, `hand`, `pause`, `step` { line } where they are wanted, and with them `turn` where a loop runs without any. The generator's value says how it ended:
  * `ended`, `aborted`, `alarm` with line and reason, `budget`, or `refused` with what the checker has against the program.
  *
  * @import { Fragment, Program } from './tree.js'
@@ -34,22 +34,26 @@ export function* runKarel(tree, host = {}) {
   return yield* runMachine(machine);
 }
 
-/** A machine that is about to begin. @param {Program | Fragment} tree @param {Host} [host] */
-export function createMachine(tree, host = {}) {
-  const program =
-    tree.kind === 'program'
-      ? tree
-      : { kind: /** @type {const} */ ('program'), comments: [], name: 'fragment', declarations: [], body: [] };
-  const linker = link(program, host);
+/** Its code, which machines can share. @param {Program | Fragment} tree @param {Host} [host] */
+export const linkKarel = (tree, host = {}) =>
+  link(
+    tree.kind === 'program' ? tree : { kind: 'program', comments: [], name: 'fragment', declarations: [], body: [] },
+    host,
+  );
+
+/** A machine that is about to begin. @param {Program | Fragment} tree @param {Host} [host] @param {ReturnType<typeof linkKarel>} [linker] */
+export function createMachine(tree, host = {}, linker = linkKarel(tree, host)) {
   const { image } = linker;
+  const [main] = linker.names;
   /** @type {State} */
   const state = {
     ...{ time: 0, steps: 0, nextScan: SCAN, current: 0 },
     globals: linker.analyses.map((analysis) => firstGlobals(analysis, host)),
-    tasks: [newTask(program.name.toUpperCase())],
+    tasks: [newTask(main)],
     ...{ handlers: [], ports: {}, registers: {}, positionRegisters: {}, stringRegisters: {} },
     files: Object.fromEntries(Object.entries(host.files ?? {}).map(([name, text]) => [name.toUpperCase(), text])),
     input: [...(host.input ?? [])],
+    args: [],
     ...{ semaphores: {}, system: firstSystem(), timers: [], pulses: [] },
   };
   /** @type {Machine} */
@@ -93,10 +97,11 @@ export function* runMachine(machine) {
 function runTurn(machine, most) {
   const task = machine.state.tasks[machine.state.current];
   try {
-    const isOver = runSlice(machine, most) === 'over';
+    const how = runSlice(machine, most);
     const { effect } = machine;
     machine.effect = null;
-    if (!isOver) return effect;
+    if (how === 'slice' && machine.host.traceSteps) return { kind: 'turn', line: currentLine(machine) };
+    if (how !== 'over') return effect;
     task.status = 'ended';
     task.isAborted = effect?.kind === 'abort';
     return null;

@@ -49,7 +49,7 @@
  * @property {readonly (TypeDefinition | Comment | Directive)[]} entries
  * @property {true} [bare]
  * @typedef {Spanned & TypesParts} Types
- * @typedef {Spanned & { name: string, from?: string, definition: Structure | TypeNode }} TypeDefinition
+ * @typedef {Spanned & { name: string, from?: string, definition: Structure | TypeNode, group?: number }} TypeDefinition
  * @typedef {Spanned & { kind: 'structure', fields: readonly (Declared | Comment | Directive)[] }} Structure
  * @typedef {Spanned & { kind: 'path-type', node?: string, header?: string }} PathType
  *

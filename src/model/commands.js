@@ -124,6 +124,7 @@ export function applyCommand(doc, command) {
     case 'remove-motion-program':
     case 'insert-steps':
     case 'edit-step':
+    case 'edit-steps':
     case 'move-step':
     case 'remove-steps':
       return applyMotionCommand(doc, command);

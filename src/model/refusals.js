@@ -94,6 +94,7 @@ export function refusal(doc, command) {
     case 'remove-motion-program':
     case 'insert-steps':
     case 'edit-step':
+    case 'edit-steps':
     case 'move-step':
     case 'remove-steps':
       return motionRefusal(doc, command);

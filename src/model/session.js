@@ -12,6 +12,7 @@
  * @import { JogStop } from './jog/jog.js'
  * @import { JogChoices } from './jog/jogChoices.js'
  * @import { NumbersView } from './numbers/numbersView.js'
+ * @import { CodeScene } from './code/codeScene.js'
  * @import { Planning } from './program/planned.js'
  * @import { Playback } from './program/player.js'
  * @import { Recording } from './program/recording.js'
@@ -19,8 +20,11 @@
  * @import { ToolKeeps } from './frames/toolChange.js'
  * @import { ProgramCheck } from './workcell/checked.js'
  * @import { WorkcellView } from './workcell/workcellView.js'
+ * @import { Probes } from './workspace/asked.js'
+ * @import { WorkspaceMaps } from './workspace/mapped.js'
+ * @import { WorkspaceView } from './workspace/workspaceView.js'
  *
- * @typedef {'robot' | 'program' | 'code' | 'jacobian'} Tab
+ * @typedef {'robot' | 'program' | 'code' | 'workspace' | 'jacobian'} Tab
  * @typedef {Tab | 'jog' | 'aim'} Panel
  *
  * @typedef {'none' | 'ends' | 'row' | 'all'} FramesShown  ends: base and tool; row: the two of the selected row
@@ -64,10 +68,15 @@
  * @property {NumbersView} numbers  how they are shown and copied
  * @property {Playback | null} playback  of a motion program; null: none has been played or looked at
  * @property {string | null} step   the id of the step that is chosen, of the motion program that is shown
+ * @property {{ from: string, to: string } | null} stepRange  ids of the ends of steps that are chosen together (program/stepRange.js)
  * @property {Recording} recording  what "Record here" makes of the posture
  * @property {Planning | null} planning  the program in time, or on its way there
  * @property {WorkcellView} workcell  how obstacles and clearances are looked at
  * @property {ProgramCheck | null} check  whether the program keeps clear of obstacles, or on its way there
+ * @property {WorkspaceView | null} workspace  what is asked of the workspace; null until somebody asks. It stays likewise
+ * @property {CodeScene} code   of the program of a controller that is open: what the scene shows of it, and is asked there
+ * @property {WorkspaceMaps} maps    what is known of the workspace so far
+ * @property {Probes} probes  places that were asked for, and traces of single joints
  * @property {number} edition   counts how often the document was exchanged for another (opened, undone), not edited
  *
  * @typedef {History & { readonly session: Session }} AppState
@@ -84,10 +93,13 @@ import { deepFreeze } from './freeze.js';
 import { FIRST_JACOBIAN } from './numbers/jacobianView.js';
 import { FIRST_JOG } from './jog/jogChoices.js';
 import { refusal } from './refusals.js';
+import { NO_CODE } from './code/codeScene.js';
 import { FIRST_HANDLE } from './aim/handleAxes.js';
 import { fitUserFrame } from './frames/userAxes.js';
 import { FIRST_NUMBERS, fitNumbers } from './numbers/numbersView.js';
 import { FIRST_RECORDING } from './program/recording.js';
+import { NO_PROBES } from './workspace/asked.js';
+import { NO_MAPS } from './workspace/mapped.js';
 import { FIRST_WORKCELL, withoutObstacles } from './workcell/workcellView.js';
 import { cancelGesture, endGesture, record, redo, stand, startHistory, undo } from './history.js';
 
@@ -121,10 +133,15 @@ const FRESH = {
   numbers: FIRST_NUMBERS,
   playback: null,
   step: null,
+  stepRange: null,
   recording: FIRST_RECORDING,
   planning: null,
   workcell: FIRST_WORKCELL,
   check: null,
+  workspace: null,
+  code: NO_CODE,
+  maps: NO_MAPS,
+  probes: NO_PROBES,
   edition: 0,
 };
 
@@ -180,7 +197,7 @@ function settle(state, history, next) {
   const isOther = robot.name !== old.name && robot.joints !== old.joints; // a new name alone makes no other robot
   const sameShape = robot.joints.length === old.joints.length && robot.units === old.units && !isOther;
   const { panel, tab, edition, frames, projection, trace, handle, jog, jacobian, toolKeeps } = session;
-  const { targetForm, targetFrom, workcell } = session;
+  const { targetForm, targetFrom, workcell, workspace } = session;
   const openJoint = session.openJoint === null ? null : Math.min(session.openJoint, robot.joints.length - 1);
   const numbers = fitNumbers(session.numbers, robot);
   const kept = {
@@ -197,6 +214,7 @@ function settle(state, history, next) {
     targetFrom,
     toolKeeps,
     workcell,
+    workspace,
   };
   return {
     ...next,

@@ -19,6 +19,7 @@
  * @property {number} speed          share of the joints' rates, above 0 and at most 1
  * @property {number} acceleration   share of their accelerations
  * @property {Ending} ending
+ * @property {Chain} [chain]         with another tool: where the joints go is the same with any, what the tool does is not
  *
  * @typedef {JointMoveBase & { law?: PlanLaw }} JointMove
  * @typedef {JointMoveBase & { law: ViaLaw }} ViaMove   goes on into the next one by the same law unless its ending is fine, whatever the zone

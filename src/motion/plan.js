@@ -152,8 +152,8 @@ function secondsOf({ seconds }) {
  * @returns {MoveWay | Omit<MotionRefusal, 'move'>}
  */
 function wayOf(chain, from, T_base_from, move, limits) {
-  if (move.kind === 'joint') return firstPast(chain, from, move.posture) ?? jointWay(chain, from, move, limits);
   const own = move.chain ?? chain;
+  if (move.kind === 'joint') return firstPast(own, from, move.posture) ?? jointWay(own, from, move, limits);
   return toolWay(own, T_base_from ?? tcpPose(own, from), move) ?? { reason: 'arc', share: 0, posture: from };
 }
 
@@ -191,7 +191,7 @@ function planStretch(way, entered, move, nextMove, chain, limits) {
   if (isVia(nextMove)) return stopping('law');
   if (way.length === 0) return stopping('still');
 
-  const nextChain = (nextMove.kind !== 'joint' && nextMove.chain) || chain;
+  const nextChain = nextMove.chain ?? chain;
   const inSpace = way.tool !== null && nextMove.kind !== 'joint' && nextChain === way.chain;
   /** The posture at the corner, where it is needed: between two ways in space it is not, and need not be there. */
   let corner = way.joints?.to ?? entered.posture;

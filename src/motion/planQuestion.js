@@ -3,15 +3,14 @@
  * descriptions and chains again; moves with the same tool have the same one on both sides.
  *
  * @import { Chain, ChainDescription } from '../kinematics/chain.js'
- * @import { CircularMove, JointLimits, JointMove, LinearMove, Move, Wait } from './moves.js'
+ * @import { JointLimits, Move, Wait } from './moves.js'
  *
- * @typedef {Omit<LinearMove, 'chain'> & { chain?: ChainDescription }} PlainLinearMove
- * @typedef {Omit<CircularMove, 'chain'> & { chain?: ChainDescription }} PlainCircularMove
+ * @typedef {Move extends infer One ? One extends Wait ? One : Omit<One, 'chain'> & { chain?: ChainDescription } : never} PlainMove
  *
  * @typedef {object} PlanQuestion
  * @property {ChainDescription} chain
  * @property {Float64Array} start
- * @property {readonly (JointMove | Wait | PlainLinearMove | PlainCircularMove)[]} moves
+ * @property {readonly PlainMove[]} moves
  * @property {JointLimits} limits
  */
 import { createChain } from '../kinematics/chain.js';
@@ -33,7 +32,7 @@ export function planQuestion(chain, start, moves, limits) {
     chain: describe(chain),
     start,
     moves: moves.map((move) =>
-      'chain' in move && move.chain ? { ...move, chain: describe(move.chain) } : /** @type {JointMove | Wait} */ (move),
+      'chain' in move && move.chain ? { ...move, chain: describe(move.chain) } : /** @type {PlainMove} */ (move),
     ),
     limits,
   };

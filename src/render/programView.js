@@ -5,6 +5,7 @@
  * @import { AppState } from '../model/session.js'
  * @import { AddView } from '../model/views.js'
  */
+import { codePathShown } from '../model/code/codePathShown.js';
 import { together } from '../model/views.js';
 import { moveGhosts, toolPathShown, toolPathTime } from '../model/program/toolPathShown.js';
 import { createGhostArms } from './marks/ghostArms.js';
@@ -18,7 +19,8 @@ import { createPathMark } from './marks/pathMark.js';
 export function createProgramView({ addView }, stage, text) {
   const path = stage.addMarks(createPathMark);
   addView(
-    together((state) => [toolPathShown(state), toolPathTime(state)]),
+    // one path at a time: that of the code, while it is open
+    together((state) => [codePathShown(state) ? null : toolPathShown(state), toolPathTime(state)]),
     ([shown, time]) => {
       path.want(shown && { path: shown, time });
       stage.touch();

@@ -228,7 +228,8 @@ export function createScene({ skin, isLow, labels, text, onChange, onGridStep })
     extent() {
       if (!shown?.isPlaced) return null;
       const { chain, frames, parts } = shown;
-      const corners = [...arm.corners(), ...base.tips(), ...tool.tips()];
+      const around = sets.flatMap((set) => set.corners?.() ?? []);
+      const corners = [...arm.corners(), ...base.tips(), ...tool.tips(), ...around];
       return { corners, size: parts.size, home: homeDirection(chain, frames) };
     },
 

@@ -2,7 +2,7 @@
  * What the scene is made of, light and dark. The colours that panels share are read from the page's tokens (CSS custom
  * properties of the document's root); those of the arm itself are here.
  *
- * @typedef {typeof MATERIALS.light & { x: string, y: string, z: string, accent: string, ink: string, bad: string, trace: string, traceSlow: string }} Skin
+ * @typedef {typeof MATERIALS.light & { x: string, y: string, z: string, accent: string, ink: string, bad: string, trace: string, traceSlow: string, ramp: readonly string[] }} Skin
  */
 const MATERIALS = {
   light: {
@@ -32,7 +32,7 @@ const MATERIALS = {
     link: '#BFC4CA',
     wrist: '#A2AAB4',
     flange: '#8792A0',
-    joint: '#3A4450',
+    joint: '#4C5867',
     tool: '#727D8A',
     obstacle: '#8FA3BC',
     edge: '#06080B',
@@ -66,6 +66,7 @@ export const skinOf = (theme, token) => ({
   bad: token('--bad'),
   trace: token('--trace'),
   traceSlow: token('--trace-slow'),
+  ramp: [1, 2, 3, 4, 5].map((step) => token(`--ramp-${step}`)),
 });
 
 /** The skin that the page has on. */

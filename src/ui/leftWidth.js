@@ -9,7 +9,7 @@ const SHARE_OF_VIEW = 0.38;
 const STEP = 16;
 
 /** @type {readonly Tab[]} */
-const TABS = ['robot', 'program', 'code', 'jacobian'];
+const TABS = ['robot', 'program', 'code', 'workspace', 'jacobian'];
 
 /**
  * @param {number} page   px, likewise all that follows

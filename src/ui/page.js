@@ -27,10 +27,10 @@
 import { refusal } from '../model/refusals.js';
 
 /** @type {readonly Tab[]} */
-export const TABS = ['robot', 'program', 'code', 'jacobian'];
+export const TABS = ['robot', 'program', 'code', 'workspace', 'jacobian'];
 
 /** @type {readonly Panel[]} in the order of the dock under the thumb */
-export const PANELS = ['robot', 'jog', 'aim', 'program', 'code', 'jacobian'];
+export const PANELS = ['robot', 'jog', 'aim', 'program', 'code', 'workspace', 'jacobian'];
 
 /**
  * Open a panel: on the left where it has a place there, and in the sheet of a phone.

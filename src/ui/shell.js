@@ -22,6 +22,7 @@ const PANEL_ICON = {
   aim: 'target',
   program: 'list',
   code: 'codeSlash',
+  workspace: 'reach',
   jacobian: 'matrix',
 };
 
@@ -39,6 +40,7 @@ export function createShell(asked = null) {
       robot: tabPanel('robot'),
       program: tabPanel('program'),
       code: tabPanel('code'),
+      workspace: tabPanel('workspace'),
       jacobian: tabPanel('jacobian'),
     },
     view: h('main', { class: 'view', 'aria-label': TEXT.panels.view }),

@@ -8,7 +8,8 @@
  * @import { MotionPart } from '../motion/plan.js'
  *
  * @typedef {object} CheckPlanQuestion
- * @property {ChainDescription} chain
+ * @property {readonly ChainDescription[]} chains   the arm with each tool that it has in the program
+ * @property {readonly number[]} chainOf  each move's, by its place among them
  * @property {readonly number[]} radii    of the links, m
  * @property {readonly Obstacle[]} obstacles
  * @property {readonly MotionPart[]} parts
@@ -25,9 +26,11 @@ import { createWorkcell } from '../motion/clearance/workcell.js';
 const say = (answer) => self.postMessage(answer);
 
 self.onmessage = ({ data }) => {
-  const { id, chain, radii, obstacles, parts, margin } = /** @type {CheckPlanQuestion & { id: number }} */ (data);
-  const cell = createWorkcell(armBodies(createChain(chain), radii), obstacles);
-  const check = checkPlan(cell, { parts: [...parts] }, { margin });
+  const { id, chains, chainOf, radii, obstacles, parts, margin } = /** @type {CheckPlanQuestion & { id: number }} */ (
+    data
+  );
+  const cells = chains.map((chain) => createWorkcell(armBodies(createChain(chain), radii), obstacles));
+  const check = checkPlan((move) => cells[chainOf[move]], { parts: [...parts] }, { margin });
   let turn = check.next();
   for (; !turn.done; turn = check.next()) say({ id, progress: turn.value });
   say({ id, found: turn.value });

@@ -11,10 +11,10 @@
  * which the place moves most.
  *
  * @import { SectionMap } from './sectionMap.js'
- * @import { Traced, Vertex } from './traced.js'
+ * @import { Fixed, Traced, Vertex } from './traced.js'
  */
 import { createRandom } from '../kinematics/random.js';
-import { createSvd, decompose } from '../kinematics/measures/singularValues.js';
+import { createConditions } from './criticalConditions.js';
 import { facesOf } from './criticalCurves.js';
 import { Squares } from './squares.js';
 import { apart, refined } from './traced.js';
@@ -23,135 +23,22 @@ import { apart, refined } from './traced.js';
 const STARTS = 400;
 const PATIENCE = 60;
 
+/** A vertex lies on a curve if it is no farther off its lines than this, in tolerances. */
+const ON = 1.5;
+
 /** Tolerances along the side of a square of what is drawn. */
-const SQUARE = 800;
+const SQUARE = 150;
 
 /** The line's normal and its opposite are one. */
 const HALF_TURN = Math.PI;
-
-const NEWTON_STEPS = 30;
-
-/** Of differences, rad and m. */
-const DIFFERENCE = 1e-6;
-
-/** Conditions met within this (arm lengths per radian) are met. */
-const MET = 1e-10;
-
-/** A singular value smaller than this, of the largest, belongs to a direction in which the conditions go on being met. */
-const FLAT = 1e-5;
+const FULL_TURN = 2 * Math.PI;
 
 /** Steps of the unknowns: at first, and at most, rad. */
 const FIRST_STEP = 0.02;
 const LONGEST_STEP = 0.06;
 const MOST_STEPS = 3000;
 
-/** The place has to move by this share of the arm's length for each radian of the unknowns, or the curve stands still. */
-const STANDING = 1e-6;
-
-/**
- * The conditions of one face, at unknowns y = (free arguments …, θ).
- * @param {SectionMap} map
- * @param {{ free: number[], x: Float64Array }} face
- */
-function createConditions(map, { free, x }) {
-  const m = free.length;
-  const place = Float64Array.from([...x, 0]);
-  const scale = map.placement.chain.characteristicLength;
-  const values = new Float64Array(m);
-  const plus = new Float64Array(m);
-  const slopes = new Float64Array(m * (m + 1));
-  const svd = createSvd(m, m + 1);
-  const step = new Float64Array(m + 1);
-
-  /** @param {Float64Array} y @param {Float64Array} out */
-  const write = (y, out) => {
-    free.forEach((k, i) => (place[k] = y[i]));
-    map.write(place);
-    const { f, Jf } = map;
-    const outward = map.kind === 'meridian' ? Math.max(f[0], 1e-12) : 1;
-    const [c, s] = [Math.cos(y[m]), Math.sin(y[m])];
-    for (let i = 0; i < m; i++) out[i] = ((c * Jf[2 * free[i]]) / outward + s * Jf[2 * free[i] + 1]) / scale;
-  };
-
-  /** The conditions and how they change, decomposed. @param {Float64Array} y @returns {number} the largest condition */
-  const decomposeAt = (y) => {
-    for (let j = 0; j <= m; j++) {
-      const at = y[j];
-      y[j] = at + DIFFERENCE;
-      write(y, plus);
-      y[j] = at - DIFFERENCE;
-      write(y, values);
-      y[j] = at;
-      for (let i = 0; i < m; i++) slopes[m * j + i] = (plus[i] - values[i]) / (2 * DIFFERENCE);
-    }
-    write(y, values);
-    decompose(slopes, svd);
-    return values.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
-  };
-
-  return {
-    m,
-    svd,
-    /** Newton's method, the shortest step each time. @param {Float64Array} y changed in place @returns {boolean} whether it has met the conditions */
-    meet(y) {
-      for (let round = 0; round < NEWTON_STEPS; round++) {
-        const most = decomposeAt(y);
-        if (most <= MET) return true;
-        step.fill(0);
-        for (let k = 0; k < m; k++) {
-          if (svd.values[k] <= FLAT * svd.values[0]) continue;
-          let along = 0;
-          for (let i = 0; i < m; i++) along += svd.U[m * k + i] * values[i];
-          for (let j = 0; j <= m; j++) step[j] -= (along / svd.values[k]) * svd.V[(m + 1) * k + j];
-        }
-        const longest = step.reduce((size, value) => Math.max(size, Math.abs(value)), 0);
-        const share = Math.min(1, 0.5 / longest);
-        for (let j = 0; j <= m; j++) y[j] += share * step[j];
-      }
-      return false;
-    },
-    /**
-     * The direction along the curve in which the place moves most; null if it does not move.
-     * @param {Float64Array} y
-     * @returns {{ tangent: Float64Array, du: number, dv: number } | null}
-     */
-    tangentAt(y) {
-      decomposeAt(y);
-      const { f, Jf } = map;
-      const outward = map.kind === 'meridian' ? Math.max(f[0], 1e-12) : 1;
-      /** How the place moves along each direction that is open. @type {number[][]} */
-      const open = [];
-      for (let k = m; k >= 0; k--) {
-        if (k < m && svd.values[k] > FLAT * svd.values[0]) break;
-        let [du, dv] = [0, 0];
-        for (let i = 0; i < m; i++) {
-          du += (svd.V[(m + 1) * k + i] * Jf[2 * free[i]]) / outward;
-          dv += svd.V[(m + 1) * k + i] * Jf[2 * free[i] + 1];
-        }
-        open.push([k, du, dv]);
-      }
-      // Places only move square to n here: their speed along the curve says how much each direction counts.
-      const [nu, nv] = [-Math.sin(y[m]), Math.cos(y[m])];
-      const shares = open.map(([, du, dv]) => du * nu + dv * nv);
-      const size = Math.hypot(...shares);
-      if (size < STANDING * scale) return null;
-      const tangent = new Float64Array(m + 1);
-      open.forEach(([k], i) => {
-        for (let j = 0; j <= m; j++) tangent[j] += (shares[i] / size) * svd.V[(m + 1) * k + j];
-      });
-      return { tangent, du: nu * size, dv: nv * size };
-    },
-    /** @param {Float64Array} y @returns {Vertex} */
-    vertex(y) {
-      const full = Float64Array.from([...x, y[m]]);
-      free.forEach((k, i) => (full[k] = y[i]));
-      map.write(full);
-      return { x: full, u: map.f[0], v: map.f[1] };
-    },
-    /** @param {Vertex} vertex @returns {Float64Array} */
-    unknowns: ({ x: full }) => Float64Array.from([...free.map((k) => full[k]), full[full.length - 1]]),
-  };
-}
+/** A posture whose place is the farthest of many along n = (cos θ, sin θ). @typedef {{ x: Float64Array, theta: number }} Farthest */
 
 /** What has been traced, whatever the face. @typedef {Squares<[Vertex, Vertex]>} Drawn */
 
@@ -163,55 +50,100 @@ export const nothingDrawn = (tolerance) => new Squares(SQUARE * tolerance);
  * @param {number} tolerance
  * @param {number} seed
  * @param {Drawn} drawn  added to; what is in it is not found again
+ * @param {readonly Farthest[]} farthest  postures to start from, besides those by chance
  * @returns {Generator<Traced | null>}  null now and then, when there has been nothing for a while
  */
-export function* criticalPostures(map, tolerance, seed, drawn) {
+export function* criticalPostures(map, tolerance, seed, drawn, farthest) {
   const random = createRandom(seed);
-  const { lower, upper, isClosed } = map;
+  const { lower, upper } = map;
   for (let freedom = 3; freedom <= lower.length; freedom++) {
     for (const face of facesOf(map, freedom)) {
-      const conditions = createConditions(map, face);
-      const isInside = (/** @type {Float64Array} */ y) =>
-        face.free.every((k, i) => isClosed[k] || (y[i] >= lower[k] && y[i] <= upper[k]));
-      for (let start = 0, idle = 0; start < STARTS && idle < PATIENCE; start++, idle++) {
+      const tracer = createTracer(map, face, tolerance, drawn);
+      for (let start = -farthest.length, idle = 0; start < STARTS && idle < PATIENCE; start++) {
         if (start % 10 === 9) yield null;
-        const y = Float64Array.from([
-          ...face.free.map((k) => lower[k] + random() * (upper[k] - lower[k])),
-          random() * HALF_TURN,
-        ]);
-        if (!conditions.meet(y) || !isInside(y)) continue;
-        const first = conditions.vertex(y);
-        if (isDrawn(drawn, first, tolerance)) continue;
-        const ahead = follow(conditions, y, 1, isInside, drawn, tolerance);
-        const behind = follow(conditions, y, -1, isInside, drawn, tolerance);
-        const vertices = [...behind.reverse(), first, ...ahead];
-        if (vertices.length < 2) continue;
-        idle = 0;
-        /** @param {Vertex} a @param {Vertex} b */
-        const between = (a, b) => {
-          const middle = conditions.unknowns(a).map((value, i) => (value + conditions.unknowns(b)[i]) / 2);
-          if (!conditions.meet(middle)) return null;
-          const vertex = conditions.vertex(middle);
-          return Math.max(apart(vertex, a), apart(vertex, b)) > 2 * apart(a, b) ? null : vertex;
-        };
-        const { runs } = refined({ kind: 'singular', fixed: face.fixed, between }, vertices, tolerance);
-        for (const run of runs) {
-          for (let i = 1; i < run.vertices.length; i++)
-            drawn.add([run.vertices[i - 1], run.vertices[i]], run.vertices[i - 1], run.vertices[i]);
-          yield run;
-        }
+        if (start >= 0) idle++;
+        const from = farthest[start + farthest.length];
+        const y = from
+          ? Float64Array.from([...face.free.map((k) => from.x[k]), from.theta])
+          : Float64Array.from([
+              ...face.free.map((k) => lower[k] + random() * (upper[k] - lower[k])),
+              random() * HALF_TURN,
+            ]);
+        const runs = tracer(y);
+        if (runs.length > 0) idle = 0;
+        yield* runs;
       }
     }
   }
 }
 
-/** Whether a place lies on a line that is drawn. @param {Drawn} drawn @param {Vertex} at @param {number} tolerance */
-function isDrawn(drawn, at, tolerance) {
-  for (const [a, b] of drawn.near(at, at, 3 * tolerance)) {
+/**
+ * The curve on which a posture lies that is as near as can be to a place out of reach: the way that is missing is the normal.
+ * @param {SectionMap} map
+ * @param {number} tolerance
+ * @param {Drawn} drawn  added to
+ * @param {Farthest} from
+ * @returns {Traced[]}  none, if it is drawn, or none of those that are looked for here
+ */
+export function criticalFrom(map, tolerance, drawn, { x, theta }) {
+  const { lower, upper, isClosed } = map;
+  const isFree = (/** @type {number} */ k) => isClosed[k] || (x[k] > lower[k] && x[k] < upper[k]);
+  const free = Array.from(x.keys()).filter(isFree);
+  const face = facesOf(map, free.length).find(
+    (each) => each.free.every(isFree) && each.x.every((value, k) => isFree(k) || value === x[k]),
+  );
+  if (!face || free.length < 3) return [];
+  return createTracer(map, face, tolerance, drawn)(Float64Array.from([...free.map((k) => x[k]), theta]));
+}
+
+/**
+ * Finds the curve that some unknowns are near to, and follows it both ways.
+ * @param {SectionMap} map
+ * @param {{ free: number[], x: Float64Array, fixed: Fixed[] }} face
+ * @param {number} tolerance
+ * @param {Drawn} drawn
+ * @returns {(y: Float64Array) => Traced[]}
+ */
+function createTracer(map, face, tolerance, drawn) {
+  const { lower, upper, isClosed } = map;
+  const conditions = createConditions(map, face);
+  const isInside = (/** @type {Float64Array} */ y) =>
+    face.free.every((k, i) => isClosed[k] || (y[i] >= lower[k] && y[i] <= upper[k]));
+  const rounds = [...face.free.map((k) => (isClosed[k] ? FULL_TURN : 0)), HALF_TURN];
+  /** @param {Vertex} a @param {Vertex} b */
+  const between = (a, b) => {
+    const middle = conditions.unknowns(a).map((value, i) => (value + conditions.unknowns(b)[i]) / 2);
+    if (!conditions.meet(middle)) return null;
+    const vertex = conditions.vertex(middle);
+    return Math.max(apart(vertex, a), apart(vertex, b)) > 2 * apart(a, b) ? null : vertex;
+  };
+  return (y) => {
+    if (!conditions.meet(y) || !isInside(y)) return [];
+    const first = conditions.vertex(y);
+    if (isDrawn(drawn, first, tolerance)) return [];
+    const ahead = follow(conditions, y, 1, isInside, rounds, drawn, tolerance);
+    const isRing = ahead.length > 0 && apart(ahead[ahead.length - 1], first) < tolerance / 100;
+    const behind = isRing ? [] : follow(conditions, y, -1, isInside, rounds, drawn, tolerance);
+    const vertices = [...behind.reverse(), first, ...ahead];
+    if (vertices.length < 2) return [];
+    const { runs } = refined({ kind: 'singular', fixed: face.fixed, between }, vertices, tolerance);
+    for (const run of runs) addDrawn(drawn, run);
+    return runs;
+  };
+}
+
+/** @param {Drawn} drawn @param {Traced} curve */
+export function addDrawn(drawn, { vertices }) {
+  for (let i = 1; i < vertices.length; i++) drawn.add([vertices[i - 1], vertices[i]], vertices[i - 1], vertices[i]);
+}
+
+/** Whether a place lies on a line that is drawn. @param {Drawn} drawn @param {{ u: number, v: number }} at @param {number} tolerance */
+export function isDrawn(drawn, at, tolerance) {
+  for (const [a, b] of drawn.near(at, at, ON * tolerance)) {
     const length = apart(a, b);
     const t = length && ((at.u - a.u) * (b.u - a.u) + (at.v - a.v) * (b.v - a.v)) / length ** 2;
     const share = Math.min(1, Math.max(0, t));
-    if (Math.hypot(at.u - a.u - share * (b.u - a.u), at.v - a.v - share * (b.v - a.v)) <= 3 * tolerance) return true;
+    if (Math.hypot(at.u - a.u - share * (b.u - a.u), at.v - a.v - share * (b.v - a.v)) <= ON * tolerance) return true;
   }
   return false;
 }
@@ -221,11 +153,12 @@ function isDrawn(drawn, at, tolerance) {
  * @param {Float64Array} from
  * @param {1 | -1} sense
  * @param {(y: Float64Array) => boolean} isInside
+ * @param {readonly number[]} rounds  what each unknown may differ by and be the same; 0: nothing
  * @param {Drawn} drawn
  * @param {number} tolerance
  * @returns {Vertex[]} without the first
  */
-function follow(conditions, from, sense, isInside, drawn, tolerance) {
+function follow(conditions, from, sense, isInside, rounds, drawn, tolerance) {
   /** @type {Vertex[]} */
   const vertices = [];
   const first = conditions.vertex(from);
@@ -264,8 +197,10 @@ function follow(conditions, from, sense, isInside, drawn, tolerance) {
     onDrawn = isDrawn(drawn, vertex, tolerance) ? onDrawn + 1 : 0;
     if (onDrawn > 3) break;
     // back where it began: the next vertex closes the ring
-    if (count > 8 && apart(vertex, first) < apart(vertex, last) && isRound(y, from, 2 * step)) {
-      vertices.push(first);
+    const again = from.map((value, i) => value + (rounds[i] && rounds[i] * Math.round((y[i] - value) / rounds[i])));
+    const isBack = y.every((value, i) => Math.abs(value - again[i]) < 2 * step);
+    if (count > 8 && isBack && apart(vertex, first) < apart(vertex, last)) {
+      vertices.push(conditions.vertex(again));
       break;
     }
     last = vertex;
@@ -273,7 +208,3 @@ function follow(conditions, from, sense, isInside, drawn, tolerance) {
   }
   return vertices;
 }
-
-/** Whether unknowns agree but for half turns. @param {Float64Array} a @param {Float64Array} b @param {number} within */
-const isRound = (a, b, within) =>
-  a.every((value, i) => Math.abs(value - b[i] - HALF_TURN * Math.round((value - b[i]) / HALF_TURN)) < within);

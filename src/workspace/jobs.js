@@ -3,8 +3,10 @@
  * each step is some milliseconds and says how far it is, often with a picture so far.
  *
  * @import { Chain, ChainDescription } from '../kinematics/chain.js'
+ * @import { FirstSection } from './firstSection.js'
  * @import { PointAnswer, LineAnswer } from './points.js'
  * @import { Section, SectionOptions } from './section.js'
+ * @import { Summary } from './summary.js'
  * @import { VolumeOptions } from './volume.js'
  * @import { Voxels } from './voxels.js'
  * @import { VoxelSurface } from './voxelSurface.js'
@@ -23,20 +25,25 @@
  * @typedef {object} Word   how far it is
  * @property {string} stage
  * @property {number} share  of this stage, 0 … 1
- * @property {Float32Array} [places]  of sampled postures, x, y and z each: a first picture, or the next part of a cloud
+ * @property {Float32Array} [places]  of sampled postures, x, y and z each: the next part of a cloud
  * @property {Voxels} [voxels]        so far
+ * @property {VoxelSurface} [surface] of these
+ * @property {Summary | null} [summary]
+ * @property {FirstSection} [first]   a first picture of a section
  *
  * @typedef {{ kind: 'cloud' }
  *   | { kind: 'section', section: Section | null }
- *   | { kind: 'volume', voxels: Voxels, surface: VoxelSurface }
+ *   | { kind: 'volume', voxels: Voxels, surface: VoxelSurface, summary: Summary | null }
  *   | { kind: 'points', answers: PointAnswer[] }
  *   | { kind: 'line', answer: LineAnswer }} WorkspaceAnswer
  */
 import { createChain } from '../kinematics/chain.js';
 import { whyNotMapped } from './placement.js';
+import { firstSections } from './firstSection.js';
 import { createPointFinder } from './points.js';
 import { createSampler } from './sampler.js';
 import { mapSection } from './section.js';
+import { summaryOf } from './summary.js';
 import { mapVolume } from './volume.js';
 import { surfaceOf } from './voxelSurface.js';
 
@@ -45,9 +52,6 @@ const CLOUD_SLICE = 5e4;
 
 /** Points between two words. */
 const POINTS = 10;
-
-/** Of the first picture of a section. */
-const FIRST_PLACES = 3e4;
 
 /** @typedef {ReturnType<typeof whyNotMapped>} NotMapped */
 
@@ -64,15 +68,12 @@ export function* workspaceJob(description, job) {
     case 'cloud':
       return yield* cloud(chain, job.options ?? {});
     case 'section': {
-      const { withLimits, seed } = job.options ?? {};
-      const places = new Float32Array(3 * FIRST_PLACES);
-      createSampler(chain, { withLimits, seed }).fill(0, places);
-      yield { stage: 'first', share: 0, places };
+      for (const first of firstSections(chain, job.options)) yield { stage: 'first', share: 0, first };
       return { kind: 'section', section: yield* mapSection(chain, job.options) };
     }
     case 'volume': {
-      const voxels = yield* mapVolume(chain, job.options);
-      return { kind: 'volume', voxels, surface: surfaceOf(voxels) };
+      const voxels = yield* withPictures(mapVolume(chain, job.options));
+      return { kind: 'volume', ...pictureOf(voxels) };
     }
     case 'points': {
       const finder = createPointFinder(chain, job.options);
@@ -86,6 +87,23 @@ export function* workspaceJob(description, job) {
     case 'line':
       return { kind: 'line', answer: createPointFinder(chain, job.options).askLine(job.from, job.to) };
   }
+}
+
+/** Cubes with what whoever shows them would have to look for. @param {Voxels} voxels */
+const pictureOf = (voxels) => ({ voxels, surface: surfaceOf(voxels), summary: summaryOf(voxels) });
+
+/**
+ * Cubes that are told of on the way come with the same.
+ * @param {ReturnType<typeof mapVolume>} work
+ * @returns {Generator<Word, Voxels>}
+ */
+function* withPictures(work) {
+  let step = work.next();
+  for (; !step.done; step = work.next()) {
+    const { voxels } = step.value;
+    yield voxels ? { ...step.value, ...pictureOf(voxels) } : step.value;
+  }
+  return step.value;
 }
 
 /**

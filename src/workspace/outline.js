@@ -26,6 +26,9 @@ import { apart } from './traced.js';
 /** Lines that run the same way within this (the cosine of the angle) may be one line twice. */
 const PARALLEL = 0.9999;
 
+/** Two chords of one curve, each no farther off it than the tolerance, are this near to each other, in tolerances. */
+const SAME_CURVE = 1.1;
+
 /** A gap longer than so many tolerances is not bridged by joining, but closed as it is, and stated. */
 const BRIDGED = 4;
 
@@ -33,9 +36,10 @@ const BRIDGED = 4;
  * The pieces without what others have drawn before.
  * @param {readonly BoundaryPiece[]} pieces
  * @param {number} tolerance
+ * @param {boolean} [isEitherWay]  also what runs back along another
  * @returns {BoundaryPiece[]}
  */
-export function onlyOnce(pieces, tolerance) {
+export function onlyOnce(pieces, tolerance, isEitherWay = false) {
   /** @type {Squares<BoundaryPiece>} */
   const squares = new Squares(200 * tolerance);
   /** @type {BoundaryPiece[]} */
@@ -49,22 +53,49 @@ export function onlyOnce(pieces, tolerance) {
     const covered = [];
     for (const other of squares.near(from, to, tolerance)) {
       const size = apart(other.from, other.to);
-      const cosine = ((other.to.u - other.from.u) * du + (other.to.v - other.from.v) * dv) / size;
-      if (cosine < PARALLEL) continue;
+      const [across, ahead] = [other.to.u - other.from.u, other.to.v - other.from.v];
+      const cosine = (across * du + ahead * dv) / size;
+      // chords of one curve, each so far off it, may differ by this much (the sine of the angle)
+      const bend = isEitherWay ? 4 * tolerance * (1 / length + 1 / size) : 0;
+      if (Math.abs(cosine) < PARALLEL - bend * bend || (cosine < 0 && !isEitherWay)) continue;
       const [along0, off0] = beside(other.from, from, du, dv);
       const [along1, off1] = beside(other.to, from, du, dv);
+      if (isEitherWay) {
+        const within = partWithin(off0, off1, SAME_CURVE * tolerance);
+        if (!within) continue;
+        const ends = within.map((share) => along0 + share * (along1 - along0));
+        const [start, end] = [Math.max(0, Math.min(...ends)), Math.min(length, Math.max(...ends))];
+        if (end - start > 0.01 * tolerance) covered.push([start / length, end / length]);
+        continue;
+      }
       if (Math.abs(off0) > 2 * tolerance || Math.abs(off1) > 2 * tolerance) continue;
       const [start, end] = [Math.max(0, along0), Math.min(length, along1)];
       if (end - start > 0.01 * tolerance) covered.push([start / length, end / length]);
     }
+    // what sticks out a little from lines that draw the same curve is none of its own
+    const least = (isEitherWay && covered.length > 0 ? 2 : 0.01) * tolerance;
     for (const [start, end] of uncovered(covered)) {
-      if ((end - start) * length <= 0.01 * tolerance) continue;
+      if ((end - start) * length <= least) continue;
       const left = { ...piece, from: between(from, to, start), to: between(from, to, end) };
       kept.push(left);
       squares.add(left, left.from, left.to);
     }
   }
   return kept;
+}
+
+/**
+ * Between which shares of the way from a to b a value is no larger than `most`.
+ * @param {number} a
+ * @param {number} b
+ * @param {number} most
+ * @returns {[number, number] | null}
+ */
+function partWithin(a, b, most) {
+  if (a === b) return Math.abs(a) <= most ? [0, 1] : null;
+  const [s, t] = [(-most - a) / (b - a), (most - a) / (b - a)];
+  const [low, high] = [Math.max(0, Math.min(s, t)), Math.min(1, Math.max(s, t))];
+  return low < high ? [low, high] : null;
 }
 
 /** How far along a direction a point is, and how far beside it. @param {Vertex} point @param {Vertex} from @param {number} du @param {number} dv */
@@ -176,9 +207,10 @@ function closed(run) {
  * By integrals along the outlines: the area is ∮ u dv, and what the region makes when it turns about u = 0 is π ∮ u² dv. The
  * error is that of the lines (nowhere farther from the curve than its roughness) and of the gaps.
  * @param {readonly Outline[]} outlines
+ * @param {number} [unsure]  m: how far they may be off besides, of outlines that close but for single lines over a gap
  * @returns {Enclosed}
  */
-export function enclosed(outlines) {
+export function enclosed(outlines, unsure = 0) {
   const sum = { area: 0, areaError: 0, turned: 0, turnedError: 0, perimeter: 0, gap: 0 };
   for (const { vertices, curves, area, gap } of outlines) {
     sum.area += area;
@@ -186,7 +218,7 @@ export function enclosed(outlines) {
     vertices.forEach((a, i) => {
       const b = vertices[(i + 1) % vertices.length];
       const length = apart(a, b);
-      const off = curves[i].roughness + gap * Number(gap > length);
+      const off = unsure + curves[i].roughness + gap * Number(unsure === 0 && gap > length);
       sum.turned += (Math.PI / 3) * (a.u * a.u + a.u * b.u + b.u * b.u) * (b.v - a.v);
       sum.perimeter += length;
       sum.areaError += length * off;

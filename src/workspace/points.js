@@ -22,11 +22,17 @@
  * @property {Float64Array} nearest that place, seen from the chain's root
  * @property {Float64Array | null} nearestPosture
  *
+ * @typedef {object} LineStop
+ * @property {Float64Array} place    where
+ * @property {boolean} isReachedBeyond  the place just beyond is reached, but by another posture
+ * @property {{ joint: number, bound: 'lower' | 'upper' }[]} held  the joints that are at a limit there
+ *
  * @typedef {object} LineAnswer
  * @property {boolean} isTravelled  whether a posture was followed all along the line
  * @property {number} share         how much of the line the best posture went
  * @property {Float64Array | null} start  that posture, at the first place
  * @property {Float64Array | null} end    and where it came
+ * @property {LineStop | null} stop       what it stopped at; null if it came to the end, or had nowhere to begin
  *
  * @typedef {object} PointOptions
  * @property {boolean} [withLimits]  of turning joints (true)
@@ -57,6 +63,10 @@ const LEAST_STEP = 1e-6;
 
 /** Joints may turn by this much in a step; if more, the step is halved: else the arm might have changed its posture. */
 const MOST_TURN = 0.1;
+
+/** Just beyond where a line stops: this much of an arm's length. A joint this near to its limit (rad, arm lengths) is at it. */
+const BEYOND = 1e-4;
+const HELD = 1e-3;
 
 /** The place is this near to the line while it is followed, arm lengths. */
 const ON_LINE = 1e-8;
@@ -182,6 +192,22 @@ export function createPointFinder(chain, { withLimits = true, seed = 1 } = {}) {
     return { share, end: postureOf(x) };
   }
 
+  /** @param {ArrayLike<number>} from @param {ArrayLike<number>} to @param {number} share @param {Float64Array} q @returns {LineStop} */
+  function stopAt(from, to, share, q) {
+    const along = (/** @type {number} */ part) =>
+      Float64Array.from({ length: 3 }, (_, i) => from[i] + part * (to[i] - from[i]));
+    const length = Math.hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
+    const held = ranges.joints.flatMap((joint, k) => {
+      if (ranges.isClosed[k]) return [];
+      const slack = HELD * (ranges.slides[k] ? scale : 1);
+      return /** @type {const} */ (['lower', 'upper'])
+        .filter((bound) => Math.abs(q[joint] - ranges[bound][k]) <= slack)
+        .map((bound) => ({ joint, bound }));
+    });
+    const beyond = along(Math.min(1, share + (BEYOND * scale) / length));
+    return { place: along(share), isReachedBeyond: ask(beyond).isReached, held };
+  }
+
   return {
     ask,
     /**
@@ -191,12 +217,13 @@ export function createPointFinder(chain, { withLimits = true, seed = 1 } = {}) {
      */
     askLine(from, to) {
       /** @type {LineAnswer} */
-      let best = { isTravelled: false, share: 0, start: null, end: null };
+      let best = { isTravelled: false, share: 0, start: null, end: null, stop: null };
       for (const { q } of ask(from).postures) {
         const { share, end } = follow(from, to, q);
-        if (share > best.share || !best.start) best = { isTravelled: share === 1, share, start: q, end };
+        if (share > best.share || !best.start) best = { isTravelled: share === 1, share, start: q, end, stop: null };
         if (share === 1) break;
       }
+      if (best.end && !best.isTravelled) best.stop = stopAt(from, to, best.share, best.end);
       return best;
     },
   };

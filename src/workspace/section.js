@@ -6,7 +6,7 @@
  * @import { Vector } from '../kinematics/lines.js'
  * @import { IsReached, SideAt } from './boundary.js'
  * @import { Cells, Extent } from './cells.js'
- * @import { SectionProgress } from './fields.js'
+ * @import { SectionProgress } from './fieldOutlines.js'
  * @import { PlaceSolver } from './exactPlaces.js'
  * @import { Enclosed, Outline } from './outline.js'
  * @import { Cut, SectionMap } from './sectionMap.js'
@@ -18,6 +18,7 @@
  * @property {number} [tolerance]   m: how far lines may be off the curves (2e-5)
  * @property {number} [cell]        m: the size of the cells (5e-4)
  * @property {number} [seed]
+ * @property {boolean} [withVolume]  also of what the first joint makes of it through less than a full turn, which takes a while (true)
  *
  * @typedef {object} SectionCurve   a critical curve, of which part may be boundary
  * @property {Traced['kind']} kind
@@ -51,10 +52,11 @@
 import { boundaryOf, closeBeside } from './boundary.js';
 import { cellsOf, extentOf } from './cells.js';
 import { edges, folds, ownLimits } from './criticalCurves.js';
-import { criticalPostures, nothingDrawn } from './criticalPostures.js';
+import { addDrawn, criticalPostures, nothingDrawn } from './criticalPostures.js';
 import { createPlaceSolver } from './exactPlaces.js';
 import { createDescent } from './descent.js';
-import { fieldsBetween, triedFrom } from './fields.js';
+import { createGoing, farthestOf } from './goneTo.js';
+import { outlinesOfFields } from './fieldOutlines.js';
 import { enclosed, onlyOnce, outlinesOf } from './outline.js';
 import { createSampler } from './sampler.js';
 import { createSectionMap, ownCut } from './sectionMap.js';
@@ -69,8 +71,8 @@ const SHORTEST = 0.02;
 /** Curves are told of after so many. */
 const WORD = 4;
 
-/** An outline around less than so many cells is a mistake about the side of a curve. */
-const SPECK = 40;
+/** Strips between curves narrower than so many tolerances are not asked of: estimated outlines may be off by as much. */
+const STRIP = 3;
 
 /** The axis is looked at in so many pieces. */
 const AXIS_PIECES = 400;
@@ -84,7 +86,7 @@ const FEW = 10;
  * @returns {Generator<SectionProgress, Section | null>} null if the arm has no such section
  */
 export function* mapSection(chain, options = {}) {
-  const { withLimits = true, tolerance = 2e-5, cell = 5e-4, seed = 1 } = options;
+  const { withLimits = true, tolerance = 2e-5, cell = 5e-4, seed = 1, withVolume = true } = options;
   const cut = options.cut ?? ownCut(chain, withLimits);
   const map = cut && createSectionMap(chain, cut, withLimits);
   if (!map) return null;
@@ -108,8 +110,8 @@ export function* mapSection(chain, options = {}) {
     if (outlines.some(({ gap }) => gap > SUSPICIOUS * tolerance)) {
       outlines = yield* outlinesAlong(curves, sideAt, shortest, tolerance, true);
     }
-    const section = sectionOf(map, curves, outlines, cell, 'proven');
-    if (map.kind !== 'meridian' || section.volume !== null || !map.isAnyAngle) return section;
+    const section = sectionOf(map, curves, outlines, { cell, tolerance }, 'proven');
+    if (!withVolume || map.kind !== 'meridian' || section.volume !== null || !map.isAnyAngle) return section;
     const work = sweptVolume(map, solve, section.cells, section);
     let step = work.next();
     for (; !step.done; step = work.next()) yield { stage: 'volume', share: step.value };
@@ -117,16 +119,24 @@ export function* mapSection(chain, options = {}) {
   }
   const sampler = createSampler(chain, { withLimits, seed });
   const drawn = nothingDrawn(tolerance);
-  for (const curve of criticalPostures(map, tolerance, seed, drawn)) {
+  for (const curve of curves) addDrawn(drawn, curve);
+  for (const curve of criticalPostures(map, tolerance, seed, drawn, farthestOf(map, sampler))) {
     if (curve) curves.push(curve);
     yield { stage: 'curves', share: curves.length / (curves.length + FEW) };
   }
-  if (map.kind === 'meridian') curves.push(axisOf(map, curves));
-  const descent = createDescent(chain, withLimits, map.left);
-  const fields = yield* fieldsBetween(map, curves, cell, sampler, triedFrom(map, descent, tolerance / 100));
-  const outlines = yield* outlinesAlong(curves, fields.sideAt, fields.cells.size / 4, tolerance, false);
-  const clear = outlines.filter(({ area }) => Math.abs(area) > SPECK * fields.cells.size ** 2);
-  return { ...sectionOf(map, curves, clear, cell, 'estimated'), ...counted(map, fields.cells) };
+  if (map.kind === 'meridian') {
+    const axis = axisOf(map, curves);
+    curves.unshift(axis); // what runs along it is drawn as the axis
+    addDrawn(drawn, axis);
+  }
+  const goTo = createGoing(
+    map,
+    createDescent(chain, withLimits, map.isAnyAngle ? map.left : -1),
+    sampler,
+    tolerance / 100,
+  );
+  const outlines = yield* outlinesOfFields(map, curves, goTo, drawn, tolerance);
+  return sectionOf(map, curves, outlines, { cell, tolerance }, 'estimated');
 }
 
 /**
@@ -169,12 +179,15 @@ const reachedBy = (solve, map) => (u, v) =>
  * @param {SectionMap} map
  * @param {readonly Traced[]} curves
  * @param {readonly Outline[]} outlines
- * @param {number} cell
+ * @param {{ cell: number, tolerance: number }} options
  * @param {Section['sides']} sides
  * @returns {Section}
  */
-function sectionOf(map, curves, outlines, cell, sides) {
-  const { area, areaError, turned, turnedError, gap } = enclosed(outlines);
+function sectionOf(map, curves, outlines, { cell, tolerance }, sides) {
+  const { area, areaError, turned, turnedError, gap } = enclosed(
+    outlines,
+    sides === 'estimated' ? STRIP * tolerance : 0,
+  );
   const makesSolid = map.kind === 'meridian' && map.placement.ranges.isClosed[map.left];
   const number = new Map(curves.map((curve, i) => [curve, i]));
   return {
@@ -195,40 +208,6 @@ function sectionOf(map, curves, outlines, cell, sides) {
     volumeError: makesSolid ? turnedError : null,
     gap,
     cells: cellsOf(outlines, cell),
-  };
-}
-
-/**
- * Area and volume by counting cells: where the boundary is not proven to be whole, an integral along it would say more than
- * is known. The error is that of the cells at its edge.
- * @param {SectionMap} map
- * @param {Cells} cells
- */
-function counted(map, cells) {
-  const { reached, columns, size } = cells;
-  const sum = { area: 0, areaError: 0, turned: 0, turnedError: 0 };
-  const each = size * size;
-  let [low, high, left, right] = [Infinity, -Infinity, Infinity, -Infinity];
-  for (let k = 0; k < reached.length; k++) {
-    const isEdge = reached[k] !== (reached[k + 1] ?? 0) || reached[k] !== (reached[k + columns] ?? 0);
-    if (!isEdge && !reached[k]) continue;
-    const [u, v] = [cells.u + ((k % columns) + 0.5) * size, cells.v + (Math.floor(k / columns) + 0.5) * size];
-    if (isEdge) sum.areaError += each;
-    if (isEdge) sum.turnedError += 2 * Math.PI * Math.abs(u) * each;
-    if (!reached[k]) continue;
-    sum.area += each;
-    sum.turned += 2 * Math.PI * Math.max(0, u) * each;
-    [low, high] = [Math.min(low, v - size / 2), Math.max(high, v + size / 2)];
-    [left, right] = [Math.min(left, u - size / 2), Math.max(right, u + size / 2)];
-  }
-  const makesSolid = map.kind === 'meridian' && map.placement.ranges.isClosed[map.left];
-  return {
-    cells,
-    area: sum.area,
-    areaError: sum.areaError,
-    volume: makesSolid ? sum.turned : null,
-    volumeError: makesSolid ? sum.turnedError : null,
-    extent: sum.area > 0 ? /** @type {Extent} */ ({ u: [left, right], v: [low, high] }) : null,
   };
 }
 

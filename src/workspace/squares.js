@@ -4,9 +4,12 @@
  * @typedef {{ u: number, v: number }} Point
  */
 
+/** Squares in a row, at most: more than any plane here has. */
+const ROW = 2 ** 26;
+
 /** @template T */
 export class Squares {
-  /** @type {Map<string, T[]>} */
+  /** @type {Map<number, T[]>} */
   #kept = new Map();
   #side;
 
@@ -15,12 +18,12 @@ export class Squares {
     this.#side = side;
   }
 
-  /** @param {number} u0 @param {number} v0 @param {number} u1 @param {number} v1 @returns {string[]} */
+  /** @param {number} u0 @param {number} v0 @param {number} u1 @param {number} v1 @returns {number[]} */
   #keys(u0, v0, u1, v1) {
     const at = (/** @type {number} */ value) => Math.floor(value / this.#side);
     const keys = [];
     for (let i = at(Math.min(u0, u1)); i <= at(Math.max(u0, u1)); i++)
-      for (let j = at(Math.min(v0, v1)); j <= at(Math.max(v0, v1)); j++) keys.push(`${i},${j}`);
+      for (let j = at(Math.min(v0, v1)); j <= at(Math.max(v0, v1)); j++) keys.push(i * ROW + j);
     return keys;
   }
 

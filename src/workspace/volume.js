@@ -8,12 +8,13 @@
  * - `margin`: the largest share of room to the nearest limit, 1 in the middle of all ranges
  * - `directions`: which of 54 directions, evenly about a sphere's cube, the tool's z axis was seen to have, as a share
  *
- * The number of postures is exact where at most three joints move the TCP: that of the cube's middle. For a fixed orientation or
+ * The number of postures is exact where three joints move the TCP, or two in a plane: that of the cube's middle, or of its foot there. For a fixed orientation or
  * a cone of them, inverse kinematics is asked at the middles of the cubes that are reached at all; of a cone, some orientations.
  *
  * @import { Chain } from '../kinematics/chain.js'
  * @import { PlaceSolver } from './exactPlaces.js'
  * @import { Wanted } from './orientationsWanted.js'
+ * @import { Vector } from '../kinematics/lines.js'
  * @import { Ranges } from './placement.js'
  * @import { Voxels } from './voxels.js'
  *
@@ -22,22 +23,25 @@
  * @property {number} [cell]         m; missing: a hundredth of the arm's reach
  * @property {Wanted} [wanted]
  * @property {number} [seed]
+ * @property {number} [looks]        for each cube of the box, postures of which all is looked at (2); directions need many
  *
- * @typedef {{ stage: 'places' | 'attributes' | 'orientations', share: number, voxels?: Voxels }} VolumeProgress
+ * @typedef {{ stage: 'places' | 'attributes' | 'orientations' | 'middles', share: number, voxels?: Voxels }} VolumeProgress
  */
 import { allInverseKinematics } from '../kinematics/allInverse.js';
+import { along, dot, minus } from '../kinematics/lines.js';
 import { createRandom } from '../kinematics/random.js';
 import { createPlaceSolver } from './exactPlaces.js';
 import { FACINGS, facingOf, shareOfFacings } from './facings.js';
 import { orientationsWanted } from './orientationsWanted.js';
 import { createPlacement, writePlacement } from './placement.js';
+import { flatNormal } from './sectionMap.js';
 import { createSampler } from './sampler.js';
 import { copyOf, cubeAt, emptyVoxels, extentOf, measured, middleOf } from './voxels.js';
 
 /** Postures for each cube: those of which only the place is looked at, and those of which all is. */
 const PLACES_EACH = 12;
 const LOOKS_EACH = 2;
-const MOST_LOOKS = 2e6;
+const MOST_LOOKS = 6e6;
 
 const SLICE = 1e5;
 const LOOK_SLICE = 1e4;
@@ -55,19 +59,20 @@ const ASKED = 50;
  * @returns {Generator<VolumeProgress, Voxels>}
  */
 export function* mapVolume(chain, options = {}) {
-  const { withLimits = true, seed = 1, wanted = { kind: 'any' } } = options;
+  const { withLimits = true, seed = 1, wanted = { kind: 'any' }, looks = LOOKS_EACH } = options;
   const sampler = createSampler(chain, { withLimits, seed });
+  const joints = sampler.ranges.joints.length;
   const first = new Float32Array(3 * FIRST_PLACES);
   sampler.fill(0, first);
   const extent = extentOf(first);
   const longest = Math.max(...extent.high.map((value, i) => value - extent.low[i]), 1e-6);
   const size = options.cell ?? longest / 100;
 
-  const coarse = emptyVoxels(extent, COARSE * size);
+  const coarse = emptyVoxels(extent, COARSE * size, joints);
   markPlaces(coarse, first);
   yield { stage: 'places', share: 0, voxels: measured(coarse) };
 
-  const voxels = emptyVoxels(extent, size);
+  const voxels = emptyVoxels(extent, size, joints);
   const places = new Float32Array(3 * SLICE);
   const many = Math.max(FIRST_PLACES, PLACES_EACH * voxels.reached.length);
   for (let done = 0; done < many; done += SLICE) {
@@ -77,17 +82,25 @@ export function* mapVolume(chain, options = {}) {
   }
   yield { stage: 'attributes', share: 0, voxels: copyOf(measured(voxels)) };
 
-  yield* lookAt(chain, voxels, withLimits, seed);
-  if (wanted.kind !== 'any') yield* keepOriented(chain, voxels, wanted);
+  yield* lookAt(chain, voxels, withLimits, seed, looks);
+  if (wanted.kind !== 'any') yield* keepOriented(chain, voxels, wanted, withLimits);
   const solve = createPlaceSolver(chain, withLimits);
-  if (solve && sampler.ranges.joints.length === 3) yield* askMiddles(voxels, solve, wanted.kind === 'any');
+  // a planar arm never leaves its plane, so it is asked where the middles' feet are
+  const placement = createPlacement(chain, withLimits);
+  const flat = flatNormal(placement);
+  if (solve && joints === (flat ? 2 : 3)) {
+    const { place } = placement;
+    /** @param {Vector} middle */
+    const asked = (middle) => (flat ? along(middle, -dot(minus(middle, place), flat), flat) : middle);
+    yield* askMiddles(voxels, (middle) => solve(asked(middle)), wanted.kind === 'any');
+  }
   return measured(voxels);
 }
 
 /**
  * How many postures there are for the middle of each cube that is, or may be, reached.
  * @param {Voxels} voxels
- * @param {PlaceSolver} solve
+ * @param {(middle: Vector) => ReturnType<PlaceSolver>} solve
  * @param {boolean} isAll  whether that decides what is reached
  * @returns {Generator<VolumeProgress>}
  */
@@ -97,7 +110,7 @@ function* askMiddles(voxels, solve, isAll) {
   const postures = new Uint8Array(reached.length);
   const steps = [1, counts[0], counts[0] * counts[1]];
   for (let k = 0; k < reached.length; k++) {
-    if (k % LOOK_SLICE === LOOK_SLICE - 1) yield { stage: 'attributes', share: k / reached.length };
+    if (k % LOOK_SLICE === LOOK_SLICE - 1) yield { stage: 'middles', share: k / reached.length };
     if (!landed[k] && !steps.some((step) => landed[k + step] || landed[k - step])) continue;
     postures[k] = solve(middleOf(voxels, k)).filter(({ isInside }) => isInside).length;
     if (isAll) reached[k] = Number(postures[k] > 0);
@@ -120,9 +133,10 @@ function markPlaces(voxels, places) {
  * @param {Voxels} voxels
  * @param {boolean} withLimits
  * @param {number} seed
+ * @param {number} each
  * @returns {Generator<VolumeProgress>}
  */
-function* lookAt(chain, voxels, withLimits, seed) {
+function* lookAt(chain, voxels, withLimits, seed, each) {
   const placement = createPlacement(chain, withLimits);
   const { ranges, place, frames, J, q } = placement;
   const { packed } = chain;
@@ -132,8 +146,9 @@ function* lookAt(chain, voxels, withLimits, seed) {
   const facings = new Uint32Array(FACINGS * voxels.reached.length);
   const x = new Float64Array(ranges.joints.length);
   const tool = packed.tool;
+  const axis = new Float64Array(3);
   const end = frames.length - 16;
-  const looks = Math.min(MOST_LOOKS, LOOKS_EACH * voxels.reached.length);
+  const looks = Math.min(MOST_LOOKS, each * voxels.reached.length);
   for (let index = 0; index < looks; index++) {
     if (index % LOOK_SLICE === LOOK_SLICE - 1) yield { stage: 'attributes', share: index / looks };
     sampler.postureAt(index, q);
@@ -150,9 +165,9 @@ function* lookAt(chain, voxels, withLimits, seed) {
     voxels.reached[cube] = 1;
     voxels.manipulability[cube] = Math.max(voxels.manipulability[cube], manipulabilityOf(J));
     voxels.margin[cube] = Math.max(voxels.margin[cube], marginOf(ranges, x));
-    const axis = [0, 1, 2].map(
-      (row) => frames[end + row] * tool[8] + frames[end + 4 + row] * tool[9] + frames[end + 8 + row] * tool[10],
-    );
+    for (let row = 0; row < 3; row++) {
+      axis[row] = frames[end + row] * tool[8] + frames[end + 4 + row] * tool[9] + frames[end + 8 + row] * tool[10];
+    }
     const facing = facingOf(axis);
     facings[FACINGS * cube + (facing >> 5)] |= 1 << (facing & 31);
   }
@@ -194,17 +209,18 @@ function marginOf({ lower, upper, isClosed }, x) {
  * @param {Chain} chain
  * @param {Voxels} voxels
  * @param {Exclude<Wanted, { kind: 'any' }>} wanted
+ * @param {boolean} withLimits
  * @returns {Generator<VolumeProgress>}
  */
-function* keepOriented(chain, voxels, wanted) {
+function* keepOriented(chain, voxels, wanted, withLimits) {
   const cubes = Array.from(voxels.reached.keys()).filter((cube) => voxels.reached[cube]);
   const poses = orientationsWanted(wanted);
   for (const [done, cube] of cubes.entries()) {
     const middle = middleOf(voxels, cube);
     const isThere = poses.some((T) => {
       T.set(middle, 12);
-      const { solutions, families } = allInverseKinematics(chain, T, { onlyWithinLimits: true });
-      return solutions.length > 0 || families.some(({ withinLimits }) => withinLimits);
+      const { solutions, families } = allInverseKinematics(chain, T, { onlyWithinLimits: withLimits });
+      return solutions.length > 0 || families.some(({ withinLimits }) => withinLimits || !withLimits);
     });
     if (!isThere) voxels.reached[cube] = 0;
     if (done % ASKED === ASKED - 1) yield { stage: 'orientations', share: done / cubes.length };

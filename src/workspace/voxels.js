@@ -10,6 +10,7 @@
  * @property {Float32Array} margin
  * @property {Float32Array} directions
  * @property {Uint8Array | null} postures       null where there are infinitely many
+ * @property {number} joints       how many move the TCP
  * @property {boolean} isMiddle    a cube is reached if its middle is; else if a posture landed in it
  * @property {number} volume       m³; where postures landed, cubes at the edge count half
  * @property {number} volumeError  m³: half of the cubes at the edge
@@ -32,8 +33,8 @@ export function extentOf(places) {
   return { low, high };
 }
 
-/** @param {{ low: number[], high: number[] }} extent @param {number} wanted @returns {Voxels} */
-export function emptyVoxels({ low, high }, wanted) {
+/** @param {{ low: number[], high: number[] }} extent @param {number} wanted @param {number} joints @returns {Voxels} */
+export function emptyVoxels({ low, high }, wanted, joints) {
   // places seen so far leave some room: a few in a hundred all around
   const widths = low.map((value, i) => 1.06 * (high[i] - value));
   const most = (/** @type {number} */ side) => widths.reduce((product, width) => product * (width / side + 2), 1);
@@ -53,6 +54,7 @@ export function emptyVoxels({ low, high }, wanted) {
     margin: new Float32Array(cubes),
     directions: new Float32Array(cubes),
     postures: null,
+    joints,
     isMiddle: false,
     volume: 0,
     volumeError: 0,

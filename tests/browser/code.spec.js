@@ -28,7 +28,7 @@ test('a KAREL program is typed, run to a breakpoint, stepped back with the arm, 
   await editor.press('ControlOrMeta+a');
   await page.keyboard.insertText(PROGRAM);
   const problem = page.locator('.code-problem');
-  await expect(problem).toHaveText('No errors found');
+  await expect(problem).toContainText('1 warning. Line 7: MOVE is deprecated');
 
   await page.locator('.cm-line').nth(7).click();
   await page.keyboard.press('F9');
@@ -51,7 +51,7 @@ test('a KAREL program is typed, run to a breakpoint, stepped back with the arm, 
   await page.getByRole('button', { name: 'Run', exact: true }).click();
   await expect(status).toHaveText('Line 9 waits');
   await page.getByRole('switch', { name: 'DIN[1], an input: set it' }).click();
-  await expect(status).toHaveText(/^Running line 1[01]$/);
+  await expect(status).toHaveText(/^Running line 1[01]$/); // and goes on for ever, while the page answers
   await page.getByRole('button', { name: 'Stop', exact: true }).click();
   await expect(status).toHaveText('Stopped');
 
@@ -97,4 +97,42 @@ test('files of code are opened, renamed and removed, and the document keeps them
   await expect(page.getByText('No code yet')).toBeVisible();
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect(page.getByRole('textbox', { name: 'Text of part' })).toBeVisible();
+});
+
+test('a TP program shows where its lines lead, waits for an input, and runs on when that is set', async ({ page }) => {
+  await open(page);
+  await page.getByRole('tab', { name: 'Code' }).click();
+  await page.getByRole('button', { name: 'New TP program' }).click();
+  const lines = page.locator('.cm-line');
+  await expect(lines.nth(12)).toContainText('L PR[2:above] 100mm/sec FINE');
+
+  // where the arm would be, under the pointer; and from a point of the path to its line
+  const points = page.locator('.path-step');
+  await expect(points).toHaveText(['13', '15']);
+  await lines.nth(12).hover();
+  await expect(page.locator('.tag.ghost')).toHaveText('line 13');
+  const point = await points.first().boundingBox();
+  if (!point) throw new Error('Expected the point of line 13 in the scene.');
+  await page.mouse.click(point.x + point.width / 2, point.y + point.height / 2);
+  await expect(page.locator('.cm-activeLine')).toContainText('L PR[2:above]');
+
+  const status = page.locator('.code-status');
+  const height = () => page.evaluate(() => window.denavit.pose()[2][3]);
+  const before = await height();
+  await page.getByRole('button', { name: 'Run', exact: true }).click();
+  await expect(status).toHaveText('Line 14 waits');
+  expect(await height()).toBeCloseTo(before + 0.05, 5);
+  await expect(page.locator('.code-next-line')).toContainText('WAIT DI[1:go back]=ON');
+  await expectAccessible(page, { within: '#panel-code' });
+  await page.getByRole('switch', { name: 'DI[1] go back, an input: set it' }).click();
+  await expect(status).toHaveText('The program has ended');
+  expect(await height()).toBeCloseTo(before, 5);
+
+  await page.getByRole('button', { name: 'Step back' }).click();
+  await page.getByLabel('PR[2] Z').fill('100');
+  await page.getByRole('button', { name: 'Variables' }).click();
+  await page.getByLabel('Watch an expression').fill('PR[2,3]-PR[1,3]>100');
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('row', { name: /^PR\[2,3\]-PR\[1,3\]>100/ })).toContainText('ON');
+  await settled(page);
 });

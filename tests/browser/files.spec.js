@@ -116,7 +116,7 @@ test('two recorded postures become a FANUC pair', async ({ page }) => {
   page.on('download', async (download) => {
     texts[download.suggestedFilename()] = await readFile(await download.path(), 'utf8');
   });
-  await page.getByRole('button', { name: 'Save both files' }).click();
+  await page.getByRole('button', { name: 'Verify and save' }).click();
   await expect.poll(() => Object.keys(texts).length).toBe(2);
   const [karel, tp] = ['.kl', '.ls'].map(
     (end) => Object.entries(texts).find(([name]) => name.endsWith(end))?.[1] ?? '',
@@ -169,5 +169,5 @@ test('a press that ends the typing of a name is not lost', async ({ page }) => {
   await settled(page);
   await page.mouse.up();
   await expect(page.getByRole('tab', { name: 'Code' })).toBeFocused();
-  await expect(page.locator('.code')).toContainText("'home'");
+  await expect(page.locator('.code')).toContainText('PR[1]: home');
 });

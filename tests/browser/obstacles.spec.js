@@ -9,7 +9,7 @@ const jointMove = (id, q) =>
 
 const PROGRAM = `<motionPrograms><motionProgram id="p1" name="There">${jointMove('s1', [-50, 40, -170, 0, 40, 0])}${jointMove('s2', [60, 40, -170, 0, 40, 0])}</motionProgram></motionPrograms>`;
 
-test('a box is put in the way: the move that touches it is marked, led around, proven to be clear, and undone', async ({
+test('a box is put in the way: the move that touches it is marked, led around, proven to be clear, and undone; a search is cancelled, or says that it found none', async ({
   page,
 }) => {
   await open(page);
@@ -74,19 +74,16 @@ test('a box is put in the way: the move that touches it is marked, led around, p
   await page.getByRole('button', { name: /^Undo: step/ }).click();
   await expect(page.locator('.steps tbody tr')).toHaveCount(2);
   await expect(second.locator('.step-touch')).toHaveText(/touches box_1/);
-});
 
-test('a search is seen to go on, and is cancelled; the program is as it was', async ({ page }) => {
-  await open(page);
-  // from near the axis to out of reach, and as high: none is found in many times this journey's patience
+  // a search that goes on is cancelled, and the program is as it was
+  // with a wall from near the axis to out of reach, and as high: none is found in many times this journey's patience
+  await page.evaluate(() => window.denavit.load('puma560'));
   const wall = '<box id="wall" xyz="1100 0 500" rpy="0 0 0" width="2000" depth="20" height="4000"/>';
   await page.evaluate(
     ([program, obstacles]) =>
       window.denavit.load(window.denavit.xml().replace('</robotModel>', `${obstacles}${program}</robotModel>`)),
     [PROGRAM, `<obstacles>${wall}</obstacles>`],
   );
-  await page.getByRole('tab', { name: 'Program' }).click();
-  const check = page.getByRole('region', { name: 'Clearance of the program' });
   await page.getByRole('button', { name: 'To step 2, which is not clear' }).click();
   const find = check.getByRole('button', { name: 'Find a way around' });
   await find.click();
@@ -95,6 +92,25 @@ test('a search is seen to go on, and is cancelled; the program is as it was', as
   await check.getByRole('button', { name: 'Cancel' }).click();
   await expect(check).toContainText('The search was cancelled; the program is as it was.');
   await expect(find).toBeEnabled();
+  await expect(page.locator('.steps tbody tr')).toHaveCount(2);
+
+  // two posts beside the first link of a planar arm: there is no way from one side to the other
+  await page.evaluate(() => window.denavit.load('planar2r'));
+  await page.evaluate(
+    (moves) => {
+      const posts = [1, -1].map((side) => `<sphere id="post${side + 1}" xyz="0 ${500 * side} 0" radius="100"/>`);
+      const program = `<motionPrograms><motionProgram id="p1" name="">${moves}</motionProgram></motionPrograms>`;
+      const more = `<obstacles>${posts.join('')}</obstacles>${program}`;
+      return window.denavit.load(window.denavit.xml().replace('</robotModel>', `${more}</robotModel>`));
+    },
+    jointMove('s1', [0, 30]) + jointMove('s2', [170, 30]),
+  );
+  await page.getByRole('button', { name: 'To step 2, which is not clear' }).click();
+  await find.click();
+  await expect(check).toContainText(
+    /No path found in \d+\.\d s \(10 000 iterations\)\. That does not say that there is none/,
+  );
+  await expect(check.getByRole('button', { name: 'Go on looking' })).toBeVisible();
   await expect(page.locator('.steps tbody tr')).toHaveCount(2);
 });
 

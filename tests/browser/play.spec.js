@@ -19,6 +19,11 @@ async function openWith(page, steps) {
   await page.goto('./?quality=low&theme=light&hint=off&autosave=off&clock=manual&q=0,40,-150,0,10,0');
   await page.waitForFunction(() => window.denavit?.clock);
   await page.evaluate(() => window.denavit.clock?.tick());
+  await load(page, steps);
+}
+
+/** Opens the arm again with a program of these steps, from where it stands. @param {Page} page @param {(tool: number[]) => string} steps */
+async function load(page, steps) {
   const tool = await page.evaluate(() =>
     window.denavit
       .pose()
@@ -27,7 +32,8 @@ async function openWith(page, steps) {
   );
   await page.evaluate(
     async (program) => {
-      const xml = window.denavit.xml().replace('</robotModel>', `${program}</robotModel>`);
+      const bare = window.denavit.xml().replace(/<motionPrograms>.*<\/motionPrograms>/s, '');
+      const xml = bare.replace('</robotModel>', `${program}</robotModel>`);
       await window.denavit.load(xml);
     },
     `<motionPrograms><motionProgram id="p1" name="There">${steps(tool)}</motionProgram></motionPrograms>`,
@@ -60,7 +66,7 @@ const joints = (page) => page.evaluate(() => window.denavit.joints());
 /** @param {number[]} one @param {number[]} other */
 const apart = (one, other) => Math.max(...one.map((value, i) => Math.abs(value - other[i])));
 
-test('a program is played, stepped and scrubbed; its plots follow; an edit changes both; nothing of it is a step to undo', async ({
+test('a program is played, stepped and scrubbed; its plots follow; an edit changes both; nothing of it is a step to undo; a line through a singularity is refused with its reason', async ({
   page,
 }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' }); // whoever plays wants to see it play
@@ -156,17 +162,14 @@ test('a program is played, stepped and scrubbed; its plots follow; an edit chang
   await ticking(page, async () => (await curve.getAttribute('d')) !== drawn);
   await expectAccessible(page, { within: '.time' });
   await expectAccessible(page, { within: '.path-legend' });
-});
 
-test('a line through a singularity is refused with its reason: the arm goes up to there, and one click leads to the step', async ({
-  page,
-}) => {
-  await openWith(page, ([x, y, z]) =>
+  // a line through a singularity: the arm goes up to there, and one click leads to the step
+  await page.evaluate((q) => window.denavit.setJoints(q), FIRST);
+  await load(page, ([x, y, z]) =>
     [jointMove('s1', SECOND), jointMove('s2', FIRST), linearMove('s3', [x, y, z + 300])].join(''),
   );
   const refused = page.getByRole('button', { name: /^Step 3: a singularity/ });
   await ticking(page, () => refused.isVisible());
-  const slider = page.getByRole('slider', { name: 'Time in the program', exact: true });
   await slider.focus();
   await page.keyboard.press('End');
   expect(apart(await joints(page), FIRST)).toBeLessThan(1e-6);

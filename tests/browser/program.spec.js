@@ -36,6 +36,12 @@ test('four targets are recorded, put in order, edited, undone, saved and opened 
   await expect(page.getByLabel('Speed', { exact: true })).toHaveValue('250'); // step 4 is chosen now
   await page.getByLabel('End', { exact: true }).selectOption('CNT (share)');
   await expect(page.locator('.steps .step-end').last()).toHaveText('CNT 50');
+  // the place that the arc goes through, by its numbers
+  await page.getByText('Numbers of the place on the way', { exact: true }).click();
+  await page.getByLabel('Z of the place on the way', { exact: true }).fill('512.5');
+  await page.keyboard.press('Enter');
+  expect(await page.evaluate(() => window.denavit.xml())).toMatch(/viaXyz="\S+ \S+ 512\.5"/);
+  await expectAccessible(page, { within: '#panel-program' }); // with a step's card
   await page.getByLabel('Speed', { exact: true }).fill('-3');
   await page.keyboard.press('Enter');
   await expect(panel.getByText('expected a number above 0')).toBeVisible();
@@ -57,12 +63,30 @@ test('four targets are recorded, put in order, edited, undone, saved and opened 
   await page.evaluate((xml) => window.denavit.load(xml), text);
   await expect(names(page)).toHaveText(before);
   expect(await page.evaluate(() => window.denavit.xml())).toBe(text);
-  await expectAccessible(page, { within: '#panel-program' });
+
+  // by the textbook: joint moves that go on through their targets, by the laws that go by those names
+  await names(page).nth(0).click();
+  const law = page.getByLabel('Time law', { exact: true });
+  for (const [name, value] of [
+    ['cubic spline through points', 'cubicSpline'],
+    ['LSPB past points', 'parabolicBlends'],
+    ['time-optimal', 'timeOptimal'],
+  ]) {
+    await law.selectOption(name);
+    await expect.poll(() => page.evaluate(() => window.denavit.xml())).toContain(`law="${value}"`);
+  }
+  // the numbers of where it ends
+  await page.getByText('Numbers of the target', { exact: true }).click();
+  await page.getByLabel('J1 of the target', { exact: true }).fill('5');
+  await page.keyboard.press('Enter');
+  await expect(names(page).first()).not.toHaveText('home');
+  expect(await page.evaluate(() => window.denavit.xml())).toContain('q="5 ');
 });
 
-test('with the keyboard alone: an example is opened, its steps are gone through, moved, gone to and deleted', async ({
+test('with the keyboard alone: an example is opened, its steps are gone through, moved, copied, passed over and deleted, one and several', async ({
   page,
 }) => {
+  await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
   await open(page);
   await page.getByRole('tab', { name: 'Program' }).focus();
   await page.keyboard.press('Enter');
@@ -89,5 +113,30 @@ test('with the keyboard alone: an example is opened, its steps are gone through,
   await page.getByRole('button', { name: /^Pass over: step/ }).focus();
   await page.keyboard.press('Enter');
   await expect(page.getByRole('button', { name: /^Carry out again: step/ })).toBeFocused();
+
+  // several at once: chosen with Shift, copied, pasted, moved, passed over, deleted
+  await page.getByRole('button', { name: /^3, / }).focus();
+  await page.keyboard.press('Shift+ArrowDown');
+  await page.keyboard.press('Shift+ArrowDown');
+  await expect(page.getByRole('heading', { name: 'Steps 3 to 5' })).toBeVisible();
+  await expect(page.locator('.steps tr.is-chosen')).toHaveCount(3);
+  const all = await names(page).allTextContents();
+  await page.keyboard.press('Control+c');
+  await page.keyboard.press('Control+v');
+  await expect(names(page)).toHaveText([...all.slice(0, 5), ...all.slice(2, 5), ...all.slice(5)]);
+  await expect(page.getByRole('button', { name: /^8, .*, chosen/ })).toBeFocused();
+  await page.keyboard.press('Alt+ArrowUp');
+  await expect(page.getByRole('heading', { name: 'Steps 5 to 7' })).toBeVisible();
+  await expect(page.getByRole('button', { name: /^7, / })).toBeFocused();
+  await page.getByRole('button', { name: 'Pass over: steps 5 to 7' }).press('Enter');
+  await expect(page.getByRole('button', { name: 'Carry out again: steps 5 to 7' })).toBeFocused();
+  await page.getByRole('button', { name: /^7, .*passed over/ }).focus();
+  await page.keyboard.press('Delete');
+  await expect(names(page)).toHaveText(all);
+  // where fingers choose: the first, the button, the last
+  await names(page).nth(1).click();
+  await page.getByRole('button', { name: 'Choose several steps' }).click();
+  await names(page).nth(3).click();
+  await expect(page.getByRole('heading', { name: 'Steps 2 to 4' })).toBeVisible();
   await settled(page);
 });

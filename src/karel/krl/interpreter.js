@@ -5,70 +5,119 @@
  * @import { Effect, Host } from '../run/machine.js'
  * @import { KrlDatum, KrlModule, KrlMotion } from './tree.js'
  *
+ * All that it knows is one plain state.
+ *
+ * @typedef {object} KrlState
+ * @property {number} at        the statement that is next, from 0
+ * @property {number} time      ms
+ * @property {number} steps
+ * @property {Record<string, number>} set      BASE, TOOL and what the program assigns
+ * @property {Record<number, boolean>} outputs
+ * @property {Record<number, boolean>} inputs  that somebody has set
+ * @property {boolean} isPlaced  a motion has said where all axes are
+ * @property {boolean} isTold    that the statement is about to run
+ * @typedef {{ module: KrlModule, state: KrlState, host: KrlHost }} KrlMachine
+ * @typedef {Pick<Host, 'steps' | 'traceSteps'> & { input?: (index: number, time: number) => boolean }} KrlHost  input: instead of those of the state
+ *
  * @typedef {object} KrlOutcome
  * @property {'ended' | 'alarm' | 'budget'} status
  * @property {{ code: string, reason: string, line: number, routine: string }} [alarm]
- * @property {{ outputs: Record<number, boolean>, time: number }} state
+ * @property {KrlState} state
  */
+import { copiedState } from '../run/values.js';
+
 const MOTION = /** @type {const} */ ({ PTP: 'J', LIN: 'L', CIRC: 'C' });
 const SCAN = 12; // ms, the interpolation cycle
 const MOST = 100_000;
 
-/**
- * @param {KrlModule} module
- * @param {Pick<Host, 'steps'> & { input?: (index: number, time: number) => boolean }} [host]
- * @returns {Generator<Effect, KrlOutcome, unknown>}
- */
-export function* runKrl({ name, statements, data }, host = {}) {
+/** @param {KrlModule} module @param {KrlHost} [host] @returns {Generator<Effect, KrlOutcome, unknown>} */
+export function* runKrl(module, host = {}) {
+  return yield* runKrlMachine(createKrlMachine(module, host));
+}
+
+/** @param {KrlModule} module @param {KrlHost} [host] @returns {KrlMachine} */
+export const createKrlMachine = (module, host = {}) => ({
+  ...{ module, host },
+  state: {
+    ...{ at: 0, time: 0, steps: 0, set: { BASE: 0, TOOL: 0 }, outputs: {}, inputs: {} },
+    ...{ isPlaced: false, isTold: false },
+  },
+});
+
+/** @param {KrlMachine} machine */
+export const saveKrlState = (machine) => copiedState(machine.state);
+
+/** @param {KrlMachine} machine @param {KrlState} state */
+export const restoreKrlState = (machine, state) => void (machine.state = copiedState(state));
+
+/** From where the machine is. @param {KrlMachine} machine @returns {Generator<Effect, KrlOutcome, unknown>} */
+export function* runKrlMachine(machine) {
+  const { name, statements, data } = machine.module;
+  const { host } = machine;
   const places = new Map(data.map((datum) => [datum.name.toUpperCase(), datum]));
-  /** @type {Record<string, number>} */
-  const set = { BASE: 0, TOOL: 0 };
-  /** @type {KrlOutcome['state']} */
-  const state = { outputs: {}, time: 0 };
-  let isPlaced = false;
-  let steps = 0;
-  /** @param {string} code @param {string} reason @param {number} line @returns {KrlOutcome} */
-  const alarm = (code, reason, line) => ({ status: 'alarm', state, alarm: { code, reason, line, routine: name } });
-  for (const node of statements) {
+  while (true) {
+    const { state } = machine;
+    const node = statements[state.at];
+    if (!node) return { status: 'ended', state };
     const line = node.span?.line ?? 0;
+    /** @param {string} code @param {string} reason @returns {KrlOutcome} */
+    const alarm = (code, reason) => ({ status: 'alarm', state, alarm: { code, reason, line, routine: name } });
+    if (host.traceSteps && !state.isTold && node.kind !== 'comment') {
+      state.isTold = true;
+      yield { kind: 'step', line, routine: name };
+      continue;
+    }
     switch (node.kind) {
       case 'motion': {
         const target = places.get(node.target.toUpperCase());
         const via = node.via === undefined ? undefined : places.get(node.via.toUpperCase());
         if (!target || (node.via !== undefined && !via))
-          return alarm('position', `${target ? node.via : node.target} is not in the data list`, line);
-        const effect = moveEffect(node, target, via, set);
-        if (typeof effect === 'string') return alarm('position', effect, line);
-        if (node.motion !== 'PTP' && !isPlaced) return alarm('first-motion', 'the first motion has to be PTP', line);
-        isPlaced = true;
+          return alarm('position', `${target ? node.via : node.target} is not in the data list`);
+        const effect = moveEffect(node, target, via, state.set);
+        if (typeof effect === 'string') return alarm('position', effect);
+        if (node.motion !== 'PTP' && !state.isPlaced) return alarm('first-motion', 'the first motion has to be PTP');
+        state.isPlaced = true;
+        pass(state);
         yield { ...effect, line, program: name };
-        break;
+        continue;
       }
       case 'bas':
-        set[node.what] = node.value;
+        state.set[node.what] = node.value;
         break;
       case 'assign': {
         const output = /^\$OUT\[(\d+)\]$/.exec(node.target);
         if (output) state.outputs[Number(output[1])] = node.value === true;
-        else set[node.target] = Number(node.value);
+        else state.set[node.target] = Number(node.value);
         break;
       }
-      case 'wait':
-        state.time += node.seconds * 10 ** 3;
-        yield { kind: 'wait', milliseconds: node.seconds * 10 ** 3, line };
-        break;
-      case 'wait-for':
-        while ((host.input?.(node.input, state.time) ?? false) !== node.value) {
-          if (++steps > (host.steps ?? MOST)) return { status: 'budget', state };
-          state.time += SCAN;
-          yield { kind: 'wait', milliseconds: SCAN, line, input: node.input, value: node.value };
-        }
-        break;
+      case 'wait': {
+        const milliseconds = node.seconds * 10 ** 3;
+        state.time += milliseconds;
+        pass(state);
+        yield { kind: 'wait', milliseconds, line };
+        continue;
+      }
+      case 'wait-for': {
+        const { input = (index) => state.inputs[index] === true } = host;
+        if (input(node.input, state.time) === node.value) break;
+        if (++state.steps > (host.steps ?? MOST)) return { status: 'budget', state };
+        state.time += SCAN;
+        yield { kind: 'wait', milliseconds: SCAN, line, input: node.input, value: node.value };
+        continue;
+      }
       case 'call':
+        pass(state);
         yield { kind: 'call', program: node.program.toUpperCase(), args: [], line };
+        continue;
     }
+    pass(state);
   }
-  return { status: 'ended', state };
+}
+
+/** On to the next statement. @param {KrlState} state */
+function pass(state) {
+  state.at++;
+  state.isTold = false;
 }
 
 /** @param {KrlMotion} node @param {KrlDatum} target @param {KrlDatum | undefined} via @param {Record<string, number>} set @returns {Effect | string} */

@@ -18,6 +18,10 @@ const WAIT_FOR = /^WAIT\s+FOR\s+\$IN\[(\d+)\]\s*==\s*(TRUE|FALSE)$/i;
 const ASSIGN = /^(\$\w+(?:\[\d+\])?(?:\.\w+)?)\s*=\s*(TRUE|FALSE|-?\d*\.?\d+(?:E[+-]?\d+)?)$/i;
 const CALL = /^(\w+)\s*\(\s*\)$/;
 
+/** Whether a text is a data list (.dat). @param {string} text */
+export const isKrlData = (text) =>
+  /^\s*DEFDAT\b/i.test(text.split('\n').find((line) => !/^\s*([&;]|$)/.test(line)) ?? '');
+
 /**
  * @param {string} src
  * @param {string} [dat]

@@ -70,13 +70,18 @@ export function readDeclared(cursor, { plain = false } = {}) {
   if (cursor.isSign('::')) cursor.fail('":" and a type');
   cursor.needSign(':');
   declared.type = readType(cursor);
-  if (cursor.isWord('IN') && cursor.isWord('GROUP', 1)) {
-    cursor.advance();
-    cursor.advance();
-    declared.group = cursor.bracketed('[', () => needInteger(cursor), ']');
-  }
+  const group = readGroup(cursor);
+  if (group !== null) declared.group = group;
   declared.nameSpans = tokens.map(cursor.spanOf);
   return cursor.node(from, declared);
+}
+
+/** `IN GROUP[1]`, if it stands here: the motion group of a position. @param {Cursor} cursor @returns {number | null} */
+function readGroup(cursor) {
+  if (!cursor.isWord('IN') || !cursor.isWord('GROUP', 1)) return null;
+  cursor.advance();
+  cursor.advance();
+  return cursor.bracketed('[', () => needInteger(cursor), ']');
 }
 
 /** Fields of structures may be called by words of the language. @param {Cursor} cursor */
@@ -91,14 +96,15 @@ export function needInteger(cursor) {
   return cursor.advance().value;
 }
 
-/** `t = STRUCTURE … ENDSTRUCTURE`, `t = PATH NODEDATA = n`. @param {Cursor} cursor @returns {TypeDefinition} */
+/** `t = STRUCTURE … ENDSTRUCTURE`, `t = PATH NODEDATA = n`, `t FROM p = XYZWPR IN GROUP[1]`. @param {Cursor} cursor @returns {TypeDefinition} */
 export function readTypeDefinition(cursor) {
   const from = cursor.position();
   const name = cursor.needName('the name of a type').text;
   const program = cursor.takeWord('FROM') ? { from: cursor.needName('the name of a program').text } : {};
   cursor.needSign('=');
   const definition = readDefinition(cursor);
-  return cursor.node(from, { name, ...program, definition });
+  const group = definition.kind === 'structure' ? null : readGroup(cursor);
+  return cursor.node(from, { name, ...program, definition, ...(group === null ? {} : { group }) });
 }
 
 /** @param {Cursor} cursor @returns {Structure | TypeNode} */

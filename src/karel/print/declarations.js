@@ -67,13 +67,13 @@ const entryLines = (entries, print) =>
 const constantLines = ({ name, value }) => [`${identifier(name)} = ${expressionText(value)}`];
 
 /** @param {TypeDefinition} type */
-function typeLines({ name, from, definition }) {
+function typeLines({ name, from, definition, group }) {
   const header = `${identifier(name)}${from === undefined ? '' : ` FROM ${identifier(from)}`} =`;
   if (definition.kind === 'structure') {
     const fields = entryLines(definition.fields, (field) => [declaredText(field, word)]);
     return [`${header} STRUCTURE`, ...indented(fields), 'ENDSTRUCTURE'];
   }
-  return [`${header} ${typeText(definition)}`];
+  return [`${header} ${typeText(definition)}${groupText(group)}`];
 }
 
 /** @param {PathType} type */
@@ -89,9 +89,11 @@ function pathText({ node, header }) {
 function declaredText({ names, type, storage, from, group }, print = identifier) {
   if (names.length === 0) throw new RangeError('Expected at least one name before a type, got none.');
   const where = `${storage === undefined ? '' : ` IN ${word(storage)}`}${from === undefined ? '' : ` FROM ${identifier(from)}`}`;
-  const groupText = group === undefined ? '' : ` IN GROUP[${integerText(group)}]`;
-  return `${listText(names.map(print))}${where} : ${typeText(type)}${groupText}`;
+  return `${listText(names.map(print))}${where} : ${typeText(type)}${groupText(group)}`;
 }
+
+/** @param {number | undefined} group */
+const groupText = (group) => (group === undefined ? '' : ` IN GROUP[${integerText(group)}]`);
 
 /** @param {TypeNode} type @returns {string} */
 function typeText(type) {

@@ -58,7 +58,7 @@ function compileSetting(target, value, compiler) {
   const at = compileReference(target, compiler);
   const fit = fitting(type);
   return (m, f) => {
-    const fitted = fit(value(m, f));
+    const fitted = fit(value(m, f), m);
     const { holder, key } = at(m, f);
     if (type.kind === 'ARRAY' && Array.isArray(holder[key]) && Array.isArray(fitted)) {
       for (const i of /** @type {unknown[]} */ (holder[key]).keys())
@@ -67,7 +67,7 @@ function compileSetting(target, value, compiler) {
   };
 }
 
-/** @param {Type} type @returns {(value: unknown) => unknown} */
+/** @param {Type} type @returns {(value: unknown, machine: Machine) => unknown} */
 function fitting(type) {
   const { length = Infinity } = type;
   if (type.kind === 'STRING') return (value) => text(value).slice(0, length);
@@ -78,6 +78,6 @@ function fitting(type) {
   if (type.kind === 'SHORT') return (value) => (number(value) << 16) >> 16;
   if (type.kind === 'STRUCTURE' || type.kind === 'PATH') return (value) => copied(record(value));
   if (type.kind === 'UNKNOWN' || type.kind === 'ARRAY') return copied;
-  if (isPosition(type)) return (value) => copied(asPosition(value ?? number(value), type.kind));
+  if (isPosition(type)) return (value, m) => copied(asPosition(value ?? number(value), type.kind, m));
   return (value) => copied(value ?? number(value));
 }

@@ -5,7 +5,7 @@
  */
 import { held, put } from './builtinsMath.js';
 import { asPosition, isJoints } from './positions.js';
-import { copied, list, number, numbers, record, single, text } from './values.js';
+import { Alarm, copied, list, number, numbers, record, single, text } from './values.js';
 
 /** By the numbers of GET_PORT_VAL. */
 const PORT_TYPES = /** @type {Readonly<Record<number, string>>} */ ({
@@ -27,10 +27,10 @@ const setter =
 /** @param {'XYZWPREXT' | 'JOINTPOS'} kind @returns {Builtin} */
 const positionRegister =
   (kind) =>
-  ([index, status], { state }) => {
-    const found = state.positionRegisters[number(index)];
+  ([index, status], machine) => {
+    const found = machine.state.positionRegisters[number(index)];
     put(status, found === undefined ? UNSET_STATUS : 0);
-    return found && asPosition(copied(found), kind);
+    return found && asPosition(copied(found), kind, machine);
   };
 
 /** By POS_REG_TYPE. */
@@ -52,8 +52,58 @@ const getComment =
     put(status, 0);
   };
 
+/** By GET_TPE_PRM; the last is a number that is not zero, that of a controller is not known. */
+const PARAMETER = { integer: 1, real: 2, string: 3, missing: 17042 };
+
+/** What a TP program has handed over: of what type, and the value where that type has its place. @type {Builtin} */
+const parameterOf = ([index, type, integer, real, string, status], { state }) => {
+  const value = state.args[number(index) - 1];
+  put(status, value === undefined ? PARAMETER.missing : 0);
+  if (value === undefined) return;
+  const isWhole = Number.isInteger(value);
+  const kind = typeof value === 'string' ? 'string' : isWhole ? 'integer' : 'real';
+  put(type, PARAMETER[kind]);
+  if (kind === 'string') put(string, value);
+  else put(isWhole ? integer : real, isWhole ? value : single(number(value)));
+};
+
+/** Where the arm has no posture; the number of a controller is not known. */
+const NO_POSTURE = 15018;
+
+/** The frame and the tool that are handed over, among the system variables. @param {Machine} machine @param {unknown} frame @param {unknown} tool */
+const framed = ({ state }, frame, tool) => ({
+  ...state.system,
+  'GROUP[1].UFRAME': numbers(frame),
+  'GROUP[1].UTOOL': numbers(tool),
+});
+
+/** @param {Machine} machine */
+function kinematicsOf({ host }) {
+  if (host.kinematics) return host.kinematics;
+  throw new Alarm('of the kinematics of an arm nothing is known here', 'kinematics');
+}
+
+/** Wrist joint configurations and axes outside of the arm are not known here: they are left as they are. @type {Builtin} */
+const jointToPosition = ([joints, frame, tool, , position, , , status], machine) => {
+  const system = framed(machine, frame, tool);
+  put(position, [...kinematicsOf(machine).toPosition(numbers(joints), system), 0, 0, 0]);
+  return put(status, 0);
+};
+
+/** @type {Builtin} */
+const positionToJoint = ([reference, position, frame, tool, , , , joints, status], machine) => {
+  const system = framed(machine, frame, tool);
+  const near = isJoints(reference) ? numbers(reference) : undefined;
+  const found = kinematicsOf(machine).toJoints(numbers(position), system, near);
+  if (found) put(joints, [...found]);
+  return put(status, found ? 0 : NO_POSTURE);
+};
+
 /** @type {Readonly<Record<string, Builtin>>} */
 export const CONTROLLER = {
+  JOINT2POS: jointToPosition,
+  POS2JOINT: positionToJoint,
+  GET_TPE_PRM: parameterOf,
   SET_INT_REG: setter('registers'),
   SET_REAL_REG: ([index, value, status], { state }) => {
     state.registers[number(index)] = { value: single(number(value)), isReal: true };

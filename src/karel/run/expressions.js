@@ -218,6 +218,6 @@ function compileArgument({ args, byValue = [] }, i, symbol, compiler) {
   const fit = wanted && isPosition(wanted) ? wanted.kind : null;
   return (m, f) => {
     const own = copied(value(m, f));
-    return { holder: { value: fit ? asPosition(own, fit) : own }, key: 'value' };
+    return { holder: { value: fit ? asPosition(own, fit, m) : own }, key: 'value' };
   };
 }

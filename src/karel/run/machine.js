@@ -33,6 +33,7 @@
  * @property {Record<string, Value>} stringRegisters
  * @property {Record<string, string>} files
  * @property {string[]} input         lines that wait to be read
+ * @property {Value[]} args           with which a TP program has called it
  * @property {Record<string, number>} semaphores
  * @property {Record<string, Value>} system     system variables by their text
  * @property {{ holder: Record<string | number, Value>, key: string | number, since: number, from: number }[]} timers
@@ -56,6 +57,11 @@
  * @property {Effect | null} effect     set by an instruction that has one
  * @property {Value[]} globals          of the program that runs
  *
+ * @typedef {object} Kinematics   of the arm, in the frame and with the tool that $UFRAME and $UTOOL say
+ * @property {(joints: readonly number[], system: State['system']) => readonly number[]} toPosition  x y z w p r and the configuration
+ * @property {(position: readonly number[], system: State['system'], near?: readonly number[]) => readonly number[] | null} toJoints
+ *   null: the arm has no posture there; near: joint values that are wanted near by
+ *
  * @typedef {object} Host
  * @property {Readonly<Record<string, Program>>} [programs]  other KAREL programs by name
  * @property {Readonly<Record<string, string>>} [sources]     for %INCLUDE
@@ -69,6 +75,7 @@
  * @property {() => readonly number[]} [joints]               where the arm is: pendant values
  * @property {() => readonly number[]} [position]             x y z w p r of the tool
  * @property {(joints: readonly number[]) => boolean} [inRange]
+ * @property {Kinematics} [kinematics]
  * @property {(state: State) => void} [onScan]                inputs may change here
  */
 import { Alarm } from './values.js';

@@ -1,9 +1,11 @@
 /**
  * Positions: frame arithmetic. R = Rz(r)·Ry(p)·Rx(w), angles in degrees, lengths in mm, as the controller has them.
+ *
+ * @import { Machine } from './machine.js'
  */
 import { compose, invert } from '../../kinematics/pose.js';
 import { poseFromRollPitchYaw, rollPitchYawOf } from '../../kinematics/orientation.js';
-import { Alarm, list, single } from './values.js';
+import { Alarm, numbers, single } from './values.js';
 
 const HALF_TURN = 2 * 90;
 const DEGREE = Math.PI / HALF_TURN;
@@ -13,14 +15,26 @@ export const degrees = (/** @type {number} */ angle) => angle / DEGREE;
 /** A Cartesian position has ten numbers, one of joints an axis each, nine at most. @param {unknown} position */
 export const isJoints = (position) => Array.isArray(position) && position.length < 10;
 
-/** A position as one of the kind that is wanted. @param {unknown} position @param {string} kind */
-export function asPosition(position, kind) {
-  if (position === undefined || isJoints(position) === (kind === 'JOINTPOS')) return position;
-  list(position);
-  throw new Alarm(
-    'joints and Cartesian positions become each other by the kinematics of an arm, of which nothing is known here',
-    'kinematics',
-  );
+/**
+ * A position as one of the kind that is wanted, by the arm's kinematics where they are at hand.
+ * @param {unknown} position
+ * @param {string} kind
+ * @param {Machine} machine
+ */
+export function asPosition(position, kind, { host, state }) {
+  const isJoint = isJoints(position);
+  if (position === undefined || isJoint === (kind === 'JOINTPOS')) return position;
+  const given = numbers(position);
+  if (!host.kinematics)
+    throw new Alarm(
+      'joints and Cartesian positions become each other by the kinematics of an arm, of which nothing is known here',
+      'kinematics',
+    );
+  const found = isJoint
+    ? host.kinematics.toPosition(given, state.system)
+    : host.kinematics.toJoints(given, state.system);
+  if (!found) throw new Alarm('the arm has no posture at this position', 'kinematics');
+  return isJoint ? [...found.map((value, i) => (i === 6 ? value : single(value))), 0, 0, 0] : found.map(single);
 }
 
 /** @param {readonly number[]} position x y z w p r … */

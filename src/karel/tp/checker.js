@@ -64,8 +64,10 @@ export function checkTp(listing) {
         report('error', 'position', `P[${index}] is moved to, and is not among the positions.`, line);
     }
     if (!chosen.user || !chosen.tool) {
-      const missing = [...(chosen.user ? [] : ['UFRAME_NUM']), ...(chosen.tool ? [] : ['UTOOL_NUM'])].join(' and ');
-      report('warning', 'frames', `${missing} is not set before this move: it is whatever was chosen last.`, line);
+      const missing = [...(chosen.user ? [] : ['UFRAME_NUM']), ...(chosen.tool ? [] : ['UTOOL_NUM'])];
+      const [are, they] = missing.length > 1 ? ['are', 'they are'] : ['is', 'it is'];
+      const message = `${missing.join(' and ')} ${are} not set before this move: ${they} whatever was chosen last.`;
+      report('warning', 'frames', message, line);
       chosen.user = chosen.tool = true;
     }
   }

@@ -4,11 +4,9 @@
  * @import { TpInstruction, TpListing, TpMotion, TpOption, TpPart, TpPosition, TpRegister } from '../tp/tree.js'
  * @import { NeutralMove, NeutralProgram, NeutralStep, NeutralTarget, WriteNote } from './neutral.js'
  */
-import { programComment } from '../fanucHeader.js';
 import { plainText, wrapped } from '../plainText.js';
 import { number, register } from '../tp/tree.js';
-import { MAX_REMARK_LENGTH } from '../tpTree.js';
-import { titleOf } from './header.js';
+import { MAX_REMARK_LENGTH, programComment, titleOf } from './header.js';
 import { isWrittenAsPosition, movesOf, rounded } from './neutral.js';
 
 /** What speeds a listing takes (HandlingTool operator's manual, 7.2). */

@@ -3,14 +3,17 @@
  *
  * @import { NeutralProgram, WriteNote } from './neutral.js'
  */
-import { axisUnits } from '../fanucHeader.js';
 import { plainText, wrapped } from '../plainText.js';
 import { movesOf, ROUNDING } from './neutral.js';
 
 const WIDTH = 76;
 const LONGEST_NAME = 64;
 
-/** @param {NeutralProgram} program */
+/** FANUC HandlingTool operator's manual: remark instruction, program comment. */
+export const MAX_REMARK_LENGTH = 32;
+const MAX_COMMENT_LENGTH = 16;
+
+/** @param {Pick<NeutralProgram, 'name' | 'robotName'>} program */
 export const titleOf = ({ name, robotName }) =>
   `${plainText(robotName, LONGEST_NAME) || 'Robot'}: ${plainText(name, LONGEST_NAME) || 'program'}`;
 
@@ -55,4 +58,27 @@ function frameText({ kind, number, name, position }) {
   const what = kind === 'user' ? 'User frame' : 'Tool';
   const values = position.map((value) => String(Number(value.toFixed(3)) + 0)).join(', ');
   return `  ${what} ${number}, "${plainText(name, 20)}": ${values}`;
+}
+
+/** What the list of programs shows beside the name: few kinds of characters are allowed. @param {string} robotName */
+export function programComment(robotName) {
+  const text = plainText(robotName).replace(/[^A-Za-z0-9 _.:()*@-]/g, '');
+  return text.trim().slice(0, MAX_COMMENT_LENGTH).trimEnd() || 'Denavit';
+}
+
+/**
+ * @example
+ * axisUnits([false, false, false]) // → 'J1 to J3 in degrees'
+ * axisUnits([false, false, true, false]) // → 'J1, J2, J4 in degrees, J3 in mm'
+ * @param {readonly boolean[]} slides
+ */
+export function axisUnits(slides) {
+  const axes = (/** @type {boolean} */ sliding) =>
+    slides.flatMap((slide, i) => (slide === sliding ? [`J${i + 1}`] : []));
+  const list = (/** @type {string[]} */ names) =>
+    names.length === slides.length && names.length > 1 ? `${names[0]} to ${names[names.length - 1]}` : names.join(', ');
+  return [
+    ...(slides.includes(false) ? [`${list(axes(false))} in degrees`] : []),
+    ...(slides.includes(true) ? [`${list(axes(true))} in mm`] : []),
+  ].join(', ');
 }

@@ -13,7 +13,8 @@ import { isWrittenAsPosition, missingConfigurations, movesOf } from './neutral.j
 
 const MOTION = { joint: 'JOINT', linear: 'LINEAR', circular: 'CIRCULAR' };
 
-const NAMES = { target: 'target_n', via: 'via_n', index: 'prog_idx' };
+/** What the program calls its own things, besides those of all. */
+export const NAMES = { target: 'target_n', via: 'via_n', index: 'prog_idx' };
 
 /** @param {NeutralProgram} program @param {WriteOptions} [options] @returns {Written} */
 export function writeKarelMove(program, { programName = program.name } = {}) {
@@ -25,6 +26,7 @@ export function writeKarelMove(program, { programName = program.name } = {}) {
       message:
         'KAREL MOVE is for R-J3iB and older controllers. Later ones deprecate it, may move unexpectedly, or refuse it.',
     },
+    ...(program.notes ?? []),
     ...missingConfigurations(program, 'fanuc'),
     {
       ...{ severity: 'note', code: 'unverified-move' },

@@ -4,9 +4,9 @@
  * @import { Declaration, Expression, Program, Routine, Statement } from '../tree.js'
  * @import { NeutralProgram, NeutralTarget } from './neutral.js'
  */
-import { programComment } from '../fanucHeader.js';
 import { plainText } from '../plainText.js';
 import { binary, call, integer, name, real, string, unary } from '../tree.js';
+import { programComment } from './header.js';
 import { DECIMALS, isWrittenAsPosition, movesOf, rounded } from './neutral.js';
 
 /** What the programs call their own things. */

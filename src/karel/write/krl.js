@@ -21,11 +21,19 @@ const TAKEN = new Set(
 
 /** @param {string} wanted @returns {string} a name that KUKA takes */
 export function krlName(wanted) {
+  if (krlNameFault(wanted) === null) return wanted;
   const word = plainText(wanted)
     .replace(/[^A-Za-z0-9]+/g, '_')
     .replace(/^_+|_+$/g, '');
   const name = (/^[A-Za-z]/.test(word) ? word : `P_${word}`).slice(0, MAX_NAME_LENGTH).replace(/_+$/, '');
   return TAKEN.has(name.toUpperCase()) ? `${name}_1` : name;
+}
+
+/** What is against a name that somebody has typed; null: nothing. @param {string} name @returns {string | null} */
+export function krlNameFault(name) {
+  if (!/^[A-Za-z_][A-Za-z0-9_]*$/.test(name) || name.length > MAX_NAME_LENGTH)
+    return `Expected a name of at most ${MAX_NAME_LENGTH} letters, digits and _, no digit first. Got "${name}".`;
+  return TAKEN.has(name.toUpperCase()) ? `"${name}" is a word of KRL, and no name for a program.` : null;
 }
 
 /** @param {NeutralProgram} program @param {WriteOptions} [options] @returns {Written} */
@@ -154,7 +162,10 @@ function otherStep(step) {
 function notesFor(program) {
   const moves = movesOf(program);
   /** @type {WriteNote[]} */
-  const notes = missingConfigurations(program, 'kuka', ({ motion }) => motion === 'joint');
+  const notes = [
+    ...(program.notes ?? []),
+    ...missingConfigurations(program, 'kuka', ({ motion }) => motion === 'joint'),
+  ];
   const note = (/** @type {string} */ code, /** @type {string} */ message) =>
     void notes.push({ severity: 'note', code, message });
   if (moves.some(({ target }) => isWrittenAsPosition(target, 'kuka')))

@@ -11,6 +11,7 @@
  * @property {readonly boolean[]} slides       for each axis
  * @property {readonly NeutralFrame[]} frames  that the moves use; 0, the controller's world and the flange, is not among them
  * @property {readonly NeutralStep[]} steps
+ * @property {readonly WriteNote[]} [notes]    what of the program no controller's language holds
  * @property {readonly string[]} [check]       lines for the header, at most 32 characters each: what was checked, and of what
  *
  * @typedef {{ kind: 'user' | 'tool', number: number, name: string, position: readonly number[] }} NeutralFrame  x y z w p r
@@ -58,6 +59,9 @@ export const movesOf = ({ steps }) => steps.flatMap((step) => (step.kind === 'mo
 /** Decimals of positions and joint values in all of the languages, as pendants show them. */
 export const DECIMALS = 3;
 
+/** A pendant's field for a value is 10 characters wide: a sign, 5 digits, the point, 3 decimals. */
+export const LARGEST_VALUE = 99999.999;
+
 /** @param {number} value */
 export const rounded = (value) => Number(value.toFixed(DECIMALS)) + 0;
 
@@ -75,16 +79,23 @@ export const isWrittenAsPosition = (target, code) => !target.isJoint && target[c
  * @returns {WriteNote[]}
  */
 export function missingConfigurations(program, code, needs = () => true) {
-  /** @type {WriteNote[]} */
-  const notes = [];
+  /** @type {Map<string, number[]>} */
+  const steps = new Map();
   for (const move of movesOf(program)) {
     if (!needs(move)) continue;
     const without = [move.target, ...(move.via ? [move.via] : [])].find(
       (target) => !target.isJoint && target[code] === null,
     );
     if (!without) continue;
-    const message = `Step ${move.step + 1} goes to joint values: ${without.reason ?? 'its posture has no configuration'}.`;
-    notes.push({ severity: 'note', code: 'no-configuration', message, step: move.step });
+    const reason = without.reason ?? 'its posture has no configuration';
+    steps.set(reason, [...(steps.get(reason) ?? []), move.step + 1]);
   }
-  return notes;
+  return [...steps].map(([reason, numbers]) => ({
+    ...{ severity: 'note', code: 'no-configuration', step: numbers[0] - 1 },
+    message: `${numbers.length === 1 ? 'Step' : 'Steps'} ${listed(numbers)} ${numbers.length === 1 ? 'goes' : 'go'} to joint values: ${reason}.`,
+  }));
 }
+
+/** @param {readonly number[]} numbers */
+const listed = (numbers) => numbers.slice(0, MOST_NAMED).join(', ') + (numbers.length > MOST_NAMED ? ', ...' : '');
+const MOST_NAMED = 8;

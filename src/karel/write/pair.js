@@ -24,11 +24,11 @@ export function writePair(program, { programName = program.name, firstRegister =
   /** @type {Statement[]} */
   const body = [];
   let next = firstRegister;
-  const place = (/** @type {NeutralTarget} */ target) => {
+  const place = (/** @type {NeutralTarget} */ target, /** @type {string | undefined} */ about) => {
     const { before, value, isJoint } = targetParts(target);
     const setter = isJoint ? 'SET_JPOS_REG' : 'SET_POS_REG';
     body.push(
-      comment(`PR[${next}]`),
+      comment(about ? `PR[${next}]: ${about}` : `PR[${next}]`),
       ...before,
       ...(isJoint ? [stopPastLimits()] : []),
       call(setter, [integer(next), value, name(OWN.status)]),
@@ -37,14 +37,14 @@ export function writePair(program, { programName = program.name, firstRegister =
     return register('PR', next++);
   };
   const lines = linesFor(program, (move) => {
-    const via = move.via && place(move.via);
-    return motionFor(move, place(move.target), via);
+    const via = move.via && place(move.via, move.comment && `on the way to ${move.comment}`);
+    return motionFor(move, place(move.target, move.comment), via);
   });
   const last = next - 1;
   const registers = `PR[${firstRegister}] to PR[${last}]`;
   const mover = names.tp.toLowerCase();
   /** @type {WriteNote[]} */
-  const notes = [...missingConfigurations(program, 'fanuc'), ...fanucNotes(program)];
+  const notes = [...(program.notes ?? []), ...missingConfigurations(program, 'fanuc'), ...fanucNotes(program)];
   const note = (
     /** @type {WriteNote['severity']} */ severity,
     /** @type {string} */ code,

@@ -27,6 +27,6 @@ export function writeTp(program, { programName = program.name } = {}) {
   const listing = listingFor(name, program, [...headRemarks(program, about), ...lines], positions);
   return {
     files: [{ name: `${name.toLowerCase()}.ls`, language: 'fanuc-tp', text: printTp(listing) }],
-    notes: [...missingConfigurations(program, 'fanuc'), ...fanucNotes(program)],
+    notes: [...(program.notes ?? []), ...missingConfigurations(program, 'fanuc'), ...fanucNotes(program)],
   };
 }

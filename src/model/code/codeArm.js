@@ -1,23 +1,41 @@
 /**
- * Where the arm is, as a controller says it to its programs: millimetres, degrees, pendant values, in the active user frame.
+ * The arm as running code knows it: where it is, and its kinematics, in the controller's numbers.
  *
+ * @import { SystemValues } from './codeFrames.js'
  * @import { Doc } from '../document.js'
- * @import { Chain } from '../../kinematics/chain.js'
+ * @import { Kinematics } from '../../karel/run/machine.js'
+ *
+ * @typedef {object} CodeArm    as a pendant counts, degrees and millimetres
+ * @property {() => readonly number[]} joints
+ * @property {(system: SystemValues, isTp: boolean) => readonly number[]} position
+ * @property {Kinematics} [kinematics]
  */
-import { tcpPose } from '../../kinematics/forward.js';
-import { compilePosture } from '../compile.js';
+import { compilePosture, postureFromKernel } from '../compile.js';
 import { pendantValues } from '../controller/controllerValues.js';
-import { PENDANT_UNITS } from '../controller/pendantNumbers.js';
-import { seenFromUser } from '../frames/frames.js';
-import { poseInUnits } from '../numbers/poseNumbers.js';
+import { postureFromPendant } from '../controller/pendantNumbers.js';
+import { OWN_FRAME, positionForCode, positionOfJoints } from './codeFrames.js';
+import { movesOf } from './codeMoves.js';
 
-/** @param {Doc} doc @returns {number[]} */
-export const jointsForCode = ({ robot, posture }) => pendantValues(robot, posture);
+const ANY_MOVE = {
+  ...{ kind: 'move', motion: 'J', isJoint: false, userFrame: OWN_FRAME, toolFrame: OWN_FRAME },
+  ...{ speed: { value: 100, unit: '%' }, termination: { kind: 'FINE' } },
+};
 
-/** @param {Doc} doc @param {Chain} chain  of its robot @returns {number[]} x y z w p r */
-export function positionForCode(doc, chain) {
-  const T = tcpPose(chain, compilePosture(doc.robot, doc.posture));
-  const seen = doc.activeUser === undefined ? T : seenFromUser(doc, doc.activeUser, T);
-  const { xyz, rpy = [0, 0, 0] } = poseInUnits(seen, PENDANT_UNITS);
-  return [...xyz, ...rpy];
-}
+/** @param {() => Doc} docNow @returns {CodeArm} */
+export const codeArm = (docNow) => ({
+  joints: () => pendantValues(docNow().robot, docNow().posture),
+  position: (system, isTp) => positionForCode(docNow(), system, isTp),
+  kinematics: {
+    toPosition: (joints, system) => positionOfJoints(docNow(), system, joints),
+    /** Where a joint move there would end. */
+    toJoints(position, system, near) {
+      const doc = docNow();
+      const { robot } = doc;
+      const seed = near ? postureFromPendant(robot, near.slice(0, robot.joints.length)) : doc.posture;
+      const found = movesOf(doc, compilePosture(robot, seed), { ...ANY_MOVE, position }, system);
+      return 'message' in found
+        ? null
+        : pendantValues(robot, postureFromKernel(robot, found.moves[0].move.followed.end));
+    },
+  },
+});

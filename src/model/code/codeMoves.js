@@ -1,75 +1,120 @@
 /**
- * A motion that running code asks for, as a plan for the arm. The controller counts in millimetres and degrees, in its own way of
- * counting joints, and in the active user frame unless the code says another.
+ * A motion that running code asks for, as moves of the arm and as a plan in time. The controller counts in millimetres and degrees,
+ * in its own way of counting joints, and in the frames that are chosen (codeFrames.js).
  *
- * Approximations: every motion stops at its end; a joint motion goes at the joints' full rates; NEAR, AWAY, BY, RELATIVE and AXIS are not
- * simulated, since nothing published says exactly what they do.
+ * Approximations: every motion stops at its end; a joint motion of KAREL goes at the joints' full rates; NEAR, AWAY, BY, RELATIVE and
+ * AXIS are not simulated, since nothing published says exactly what they do.
  *
- * @import { Doc, MoveStep, PoseTarget, StepTarget } from '../document.js'
- * @import { Effect, State } from '../../karel/run/machine.js'
+ * @import { CodeFrames, SystemValues } from './codeFrames.js'
+ * @import { Doc } from '../document.js'
+ * @import { CodeMove } from '../controller/codeMoves.js'
+ * @import { Effect } from '../../karel/run/machine.js'
+ * @import { JointLimits, WayMove } from '../../motion/moves.js'
  * @import { MotionPlan } from '../../motion/plan.js'
+ * @import { Chain } from '../../kinematics/chain.js'
  */
-import { configText } from '../../karel/run/positions.js';
+import { inverseKinematics } from '../../kinematics/inverse.js';
+import { compose } from '../../kinematics/pose.js';
 import { planMotion } from '../../motion/plan.js';
-import { compilePosture, compileRobot } from '../compile.js';
-import { postureFromPendant } from '../controller/pendantNumbers.js';
-import { motionMoves } from '../program/motionPlan.js';
-import { fromKernel, toKernel } from '../units.js';
+import { configurationAt } from '../aim/solutions.js';
+import { compilePosture, postureFromKernel } from '../compile.js';
+import { codeMove, controllerPose } from '../controller/codeMoves.js';
+import { pendantValues } from '../controller/controllerValues.js';
+import { controllerFrames } from '../controller/frameNumbers.js';
+import { limitsOf } from '../program/motionLimits.js';
+import { ASSUMED_TOOL_ACCELERATION, ASSUMED_TOOL_TURN, UNREACHED } from '../program/motionPlan.js';
+import { toKernel } from '../units.js';
+import { codeFrames, OWN_FRAME } from './codeFrames.js';
 
-const PENDANT = /** @type {const} */ ({ length: 'mm', angle: 'deg' });
-const LINEAR = 7;
-const CIRCULAR = 8;
+const MM = /** @type {const} */ ({ length: 'mm', angle: 'deg' });
+/** By $MOTYPE. @type {Readonly<Record<number, 'L' | 'C'>>} */
+const MOTYPES = { 7: 'L', 8: 'C' };
 /** mm/s, where the code says nothing. */
 const FIRST_SPEED = 300;
+const INCH = 25.4;
+const MINUTE = 60;
+/** mm/s and degrees/s of a speed of 1. @type {Readonly<Record<string, number>>} */
+const SPEEDS = { 'mm/sec': 1, 'cm/min': 10 / MINUTE, 'inch/min': INCH / MINUTE, 'deg/sec': 1 };
 
 /**
  * @param {Doc} doc
  * @param {readonly number[]} posture  where the arm stands, in document units
- * @param {Effect} effect              of kind 'move'
- * @param {State['system']} system     variables of the controller
- * @returns {{ plan: MotionPlan } | { message: string }}
+ * @param {Effect} effect              of kind 'move', of TP, KAREL or KRL
+ * @param {SystemValues} system        variables of the controller
+ * @returns {{ plan: MotionPlan, missing: readonly string[] } | { message: string }}
  */
 export function planOfMove(doc, posture, effect, system) {
-  const steps = stepsOf(doc, effect, system);
-  if ('message' in steps) return steps;
-  const program = { id: 'code', name: 'code', steps };
-  const { moves, limits, issues } = motionMoves({ ...doc, motionPrograms: [program] }, program, posture);
-  if (issues.length > 0) return { message: issues[0].message.replace(/^Step \d+: /, '') };
-  return { plan: planMotion(compileRobot(doc.robot), compilePosture(doc.robot, posture), moves, limits) };
+  const found = movesOf(doc, compilePosture(doc.robot, posture), effect, system);
+  if ('message' in found) return found;
+  const { limits } = limitsOf(doc.robot.joints, doc.robot.units);
+  const start = compilePosture(doc.robot, posture);
+  let /** @type {Float64Array} */ from = start;
+  /** @type {WayMove[]} */
+  const moves = [];
+  for (const { move, effect: one } of found.moves) {
+    const timed = inTime(move, one, from, limits, Number(system.OVERRIDE ?? 100) / 100);
+    if ('message' in timed) return timed;
+    moves.push(timed);
+    from = move.followed.end;
+  }
+  return { plan: planMotion(found.moves[0].move.followed.chain, start, moves, limits), missing: found.missing };
 }
 
-/** @param {Doc} doc @param {Effect} effect @param {State['system']} system @returns {MoveStep[] | { message: string }} */
-function stepsOf(doc, effect, system) {
-  const { to, isJoint } = effect;
-  const settings = /** @type {Record<string, unknown>} */ (effect.settings ?? {});
-  const set = (/** @type {string} */ name) => settings[`$${name}`] ?? system[name];
+/**
+ * @param {Doc} doc
+ * @param {Float64Array} start
+ * @param {Effect} effect
+ * @param {SystemValues} system
+ * @returns {{ moves: { move: CodeMove, effect: Effect }[], missing: readonly string[] } | { message: string }}
+ */
+export function movesOf(doc, start, effect, system) {
+  const frames = effect.brand === 'kuka' ? { ...controllerFrames(doc, 'kuka'), missing: [] } : codeFrames(doc, system);
+  const asked = effect.settings ? asTp(effect, system) : [effect];
+  if ('message' in asked) return asked;
+  let /** @type {Float64Array} */ from = start;
+  /** @type {{ move: CodeMove, effect: Effect }[]} */
+  const moves = [];
+  for (const one of asked) {
+    const ready = placed(doc, one, frames, from);
+    if ('message' in ready) return { message: String(ready.message) };
+    const move = codeMove(doc, frames, from, ready);
+    if ('message' in move) return { message: move.message };
+    moves.push({ move, effect: one });
+    from = move.followed.end;
+  }
+  if (moves.length === 0) return { message: 'The path that is moved along has no nodes.' };
+  return { moves, missing: [...new Set(frames.missing)] };
+}
+
+/** MOVE of KAREL, as moves of TP: one, or one for each node. @param {Effect} effect @param {SystemValues} system @returns {Effect[] | { message: string }} */
+function asTp(effect, system) {
+  const settings = /** @type {Record<string, unknown>} */ (effect.settings);
+  const set = (/** @type {string} */ name) =>
+    settings[`$${name}`] ?? settings[`$GROUP[1].$${name}`] ?? system[`GROUP[1].${name}`] ?? system[name];
+  const { to } = effect;
   const places = to === 'ALONG' ? nodesOf(effect.nodes) : to === 'TO' ? [effect.position] : null;
   if (!places) return { message: `MOVE ${String(to)} is not simulated here; MOVE TO and MOVE ALONG are.` };
-  const kind = isJoint ? 'joint' : (KINDS[Number(set('MOTYPE'))] ?? 'joint');
   const speed = Number(set('SPEED') ?? FIRST_SPEED);
   if (!(speed > 0)) return { message: `Expected $SPEED above 0, got ${speed}.` };
-  /** @type {MoveStep[]} */
-  const steps = [];
-  for (const [i, place] of places.entries()) {
-    const target = targetOf(doc, place, Boolean(isJoint));
-    const via = kind === 'circular' ? targetOf(doc, effect.via, false) : null;
-    if (!target || (kind === 'circular' && !via)) return { message: 'A position that is moved to is uninitialised.' };
-    const { units } = doc.robot;
-    steps.push({
-      ...{ id: `move_${i}`, kind, target },
-      ...(via && { via }),
-      ...(kind === 'joint'
-        ? { speed: 100, speedUnit: '%' }
-        : { speed: fromKernel('length', toKernel('length', speed, PENDANT), units), speedUnit: 'length/s' }),
-      ...{ acceleration: 100, ending: { kind: 'fine' } },
-      ...(target.kind === 'pose' && doc.activeUser !== undefined && { frame: doc.activeUser }),
-    });
-  }
-  return steps;
+  const motion = effect.isJoint ? 'J' : (MOTYPES[Number(set('MOTYPE'))] ?? 'J');
+  const isWhole = (/** @type {unknown} */ place) =>
+    Array.isArray(place) &&
+    place.slice(0, 6).length > 0 &&
+    place.slice(0, 6).every((value) => typeof value === 'number');
+  if (!places.every(isWhole) || (motion === 'C' && !isWhole(effect.via)))
+    return { message: 'A position that is moved to is uninitialised.' };
+  return places.map((position) => {
+    const isJoint = /** @type {unknown[]} */ (position).length < 10 && Boolean(effect.isJoint);
+    return {
+      ...{ kind: 'move', to: 'TO', line: effect.line, motion, position, isJoint },
+      ...(motion === 'C' && { via: effect.via, viaIsJoint: false }),
+      speed: motion === 'J' ? { value: 100, unit: '%' } : { value: speed, unit: 'mm/sec' },
+      termination: { kind: 'FINE' },
+      ...{ userFrame: OWN_FRAME, toolFrame: OWN_FRAME },
+      settings: null,
+    };
+  });
 }
-
-/** By $MOTYPE. @type {Readonly<Record<number, MoveStep['kind']>>} */
-const KINDS = { [LINEAR]: 'linear', [CIRCULAR]: 'circular' };
 
 /** The positions of a path: its nodes are positions, or structures that begin with one. @param {unknown} nodes @returns {unknown[]} */
 const nodesOf = (nodes) =>
@@ -77,21 +122,69 @@ const nodesOf = (nodes) =>
     Array.isArray(node) ? node : Object.values(/** @type {object} */ (node ?? {})).find(Array.isArray),
   );
 
-/** @param {Doc} doc @param {unknown} place @param {boolean} isJoint @returns {StepTarget | null} null: something of it was never set */
-function targetOf({ robot }, place, isJoint) {
-  if (!Array.isArray(place)) return null;
-  const values = isJoint ? place.slice(0, robot.joints.length) : place.slice(0, 6);
-  if (values.length < (isJoint ? robot.joints.length : 6) || values.some((value) => typeof value !== 'number'))
-    return null;
-  if (isJoint) return { kind: 'posture', values: postureFromPendant(robot, values) };
-  const convert = (/** @type {'length' | 'angle'} */ quantity) => (/** @type {number} */ value) =>
-    fromKernel(quantity, toKernel(quantity, value, PENDANT), robot.units);
-  const word = Number(place[6] ?? 0);
-  /** @type {PoseTarget} */
-  const target = {
-    kind: 'pose',
-    xyz: values.slice(0, 3).map(convert('length')),
-    rpy: values.slice(3).map(convert('angle')),
-  };
-  return word === 0 ? target : { ...target, configuration: configText(word) };
+/**
+ * The same move, with joint values where nothing says in which configuration the arm is to arrive: those nearest to where it comes
+ * from. A word of 0 may be one that nobody has set; arms whose postures have no such names have none.
+ * @param {Doc} doc
+ * @param {Effect} effect
+ * @param {CodeFrames} frames
+ * @param {Float64Array} from
+ * @returns {Effect | { message: string }}
+ */
+function placed(doc, effect, frames, from) {
+  if (effect.motion !== 'J' || effect.isJoint) return effect;
+  const chain = frames.chainOf(Number(effect.toolFrame));
+  const T_world_user = frames.userPose(Number(effect.userFrame));
+  if (!chain || !T_world_user) return effect;
+  const { robot } = doc;
+  const position = /** @type {number[]} */ (effect.position);
+  const isKuka = effect.status !== undefined && effect.turn !== undefined;
+  const hasNames = configurationAt(robot, chain, postureFromKernel(robot, from)).fanuc.text !== null;
+  const isAsked = isKuka || ((position[6] ?? 0) !== 0 && hasNames && effect.hasStatus !== false);
+  const found = inverseKinematics(chain, compose(T_world_user, controllerPose(position)), { seed: from });
+  const isMet = found.status === 'converged' || found.status === 'subspace';
+  if (!isMet) return { message: UNREACHED[found.reason ?? 'distance'] };
+  if (isAsked) return effect;
+  return { ...effect, position: pendantValues(robot, postureFromKernel(robot, found.q)), isJoint: true };
+}
+
+/**
+ * With the speeds that the code says.
+ * @param {CodeMove} move
+ * @param {Effect} effect
+ * @param {Float64Array} from
+ * @param {JointLimits} limits
+ * @param {number} override  share
+ * @returns {WayMove | { message: string }}
+ */
+function inTime({ kernel, followed, speed }, effect, from, limits, override) {
+  const value = speed.value ?? (kernel.kind === 'joint' ? 100 : FIRST_SPEED);
+  if (!(value > 0)) return { message: `Expected a speed above 0, got ${value}.` };
+  const share = Math.min(1, Number(effect.acceleration ?? 100) / 100);
+  const seconds = speed.unit === 'sec' ? value : speed.unit === 'msec' ? value / 10 ** 3 : null;
+  const chain = /** @type {Chain} */ (followed.chain);
+  if (kernel.kind === 'joint') {
+    const rate =
+      seconds === null ? (value / 100) * override : shareFor(seconds / override, from, kernel.posture, limits);
+    return /** @type {WayMove} */ ({ ...kernel, speed: Math.min(1, rate), acceleration: share });
+  }
+  const { length, turn } = /** @type {{ length: number, turn: number }} */ (followed.way);
+  const isTurn = speed.unit === 'deg/sec';
+  const along =
+    seconds !== null ? length / seconds : isTurn ? 1 : toKernel('length', value * (SPEEDS[speed.unit] ?? 1), MM);
+  const about = seconds !== null ? turn / seconds : isTurn ? toKernel('angle', value, MM) : ASSUMED_TOOL_TURN;
+  return /** @type {WayMove} */ ({
+    ...kernel,
+    ...{ chain, speed: Math.max(along * override, SLOWEST), turnSpeed: Math.max(about * override, SLOWEST) },
+    acceleration: ASSUMED_TOOL_ACCELERATION * share,
+  });
+}
+
+/** m/s and rad/s; a way of no length takes no time at any speed. */
+const SLOWEST = 1e-6;
+
+/** The share of the rates at which a joint move takes so long, without the time that it takes to get going. @param {number} seconds @param {Float64Array} from @param {Float64Array} to @param {JointLimits} limits */
+function shareFor(seconds, from, to, { rates }) {
+  const least = rates.reduce((most, rate, i) => Math.max(most, Math.abs(to[i] - from[i]) / rate), 0);
+  return Math.max(least / seconds, SLOWEST);
 }

@@ -1,185 +1,141 @@
 /**
- * A KAREL program under a debugger: it goes on to where it is asked to, says what it wants done, shows what it knows, and
- * goes back statement by statement. Time, the arm and the person are outside.
+ * The programs of a document, made ready to run under a debugger: those of a FANUC controller, KAREL and TP, on one memory; KRL by
+ * itself. Time, the arm and the person are outside.
  *
  * @import { ProgramDoc } from '../document.js'
  * @import { Diagnostic } from '../../karel/parse/cursor.js'
- * @import { AlarmText, Outcome } from '../../karel/interpreter.js'
- * @import { Effect, State } from '../../karel/run/machine.js'
+ * @import { CodeRun, Debugged } from './codeDebugger.js'
+ * @import { ControllerOutcome, Level } from '../../karel/controller.js'
+ * @import { Host } from '../../karel/run/machine.js'
+ * @import { TpListing } from '../../karel/tp/tree.js'
  * @import { Program } from '../../karel/tree.js'
- *
- * @typedef {{ program: string, routine: string, line: number, depth: number, task: number }} Place  program, routine: as they are written
- *
- * @typedef {object} Stop
- * @property {'line' | 'effect' | 'over' | 'busy'} kind   busy: so many statements were run, and it goes on
- * @property {Effect} [effect]      what is to be done before it goes on
- *
- * @typedef {object} Shown
- * @property {string} name
- * @property {string} type
- * @property {string} value
- * @property {string} [owner]   the routine or the program that has it
- *
- * @typedef {object} Moment     from which a statement can be run again
- * @property {State} state
- * @property {Place} place
- * @property {number} written   so much of the output was there
- * @property {unknown} mark     what the caller knew: where the arm stood
+ * @import { CodeArm } from './codeArm.js'
  */
-import { typeText } from '../../karel/check/types.js';
-import { createMachine, restoreState, runMachine, saveState } from '../../karel/interpreter.js';
-import { parseKarel } from '../../karel/parser.js';
-import { valueText } from './codeValues.js';
+import { createController, goOn, restoreController, saveController } from '../../karel/controller.js';
+import { debugged } from './codeDebugger.js';
+import { readPrograms } from './codePrograms.js';
+import { registerTexts, variablesOf, watched } from './codeShown.js';
+import { createKrlRun } from './krlRun.js';
 
-/** So many statements can be taken back. */
-export const MOST_MOMENTS = 2000;
-/** Statements, before a program is taken to be endless. */
+/** Instructions, before a program is taken to be endless. */
 const MOST_STEPS = 50_000_000;
-const MOST_OUTPUT = 100_000;
+/** Tasks of a program at most, to tell those of different programs apart. */
+const TASKS = 100;
 
 /**
  * @param {readonly ProgramDoc[]} programs  of the document
  * @param {string} id                       the one to run
- * @param {{ joints: () => readonly number[], position: () => readonly number[] }} arm  as a pendant counts, degrees and millimetres
+ * @param {CodeArm} arm
+ * @param {Record<string, unknown>} [system]  what the controller's variables hold at first
+ * @param {Pick<Host, 'steps' | 'traceSteps' | 'onScan'>} [how]
  * @returns {{ run: CodeRun } | { diagnostics: readonly Diagnostic[] }}  the other way round where it cannot be run
  */
-export function createCodeRun(programs, id, arm) {
-  const files = Object.fromEntries(programs.map(({ id: name, text }) => [name, text]));
-  const parsed = new Map(
-    programs
-      .filter(({ language }) => language === 'karel')
-      .map(({ id: name, text }) => [name, parseKarel(text, { files })]),
-  );
-  const main = parsed.get(id);
-  if (!main) throw new RangeError(`Expected the name of a KAREL program, got "${id}".`);
-  const errors = main.diagnostics.filter(({ severity }) => severity === 'error');
-  if (errors.length > 0) return { diagnostics: errors };
+export function createCodeRun(programs, id, arm, system = {}, how = {}) {
+  const chosen = programs.find((one) => one.id === id);
+  if (chosen?.language === 'krl')
+    return createKrlRun(programs, chosen, { steps: MOST_STEPS, traceSteps: true, ...how });
+  const read = readPrograms(programs);
+  const main = read.find((one) => one.id === id);
+  if (!main) throw new RangeError(`Expected the name of a program, got "${id}".`);
+  if (main.errors().length > 0) return { diagnostics: main.errors() };
   /** @type {Record<string, Program>} */
-  const others = {};
-  for (const { tree } of parsed.values()) if (tree.kind === 'program') others[tree.name] ??= tree;
-  const made = createMachine(main.tree, {
-    ...{ programs: others, sources: files, traceSteps: true, steps: MOST_STEPS },
-    ...{ joints: arm.joints, position: arm.position },
-  });
-  if (made.errors.length > 0) return { diagnostics: made.errors };
-  return { run: codeRun(made.machine) };
+  const karel = {};
+  /** @type {Record<string, TpListing>} */
+  const listings = {};
+  // The one that is run comes first, should another have its name.
+  for (const one of [main, ...read]) {
+    if (one.language === 'karel') {
+      if (one.tree.kind === 'program') karel[one.name] ??= one.tree;
+      for (const other of one.programs) karel[other.name] ??= other;
+    } else listings[one.name] ??= one.tree;
+  }
+  const sources = Object.fromEntries(programs.map(({ id: name, text }) => [name, text]));
+  const controller = createController(
+    main.name,
+    { karel, listings },
+    {
+      ...{ sources, traceSteps: true, steps: MOST_STEPS, joints: arm.joints, kinematics: arm.kinematics, ...how },
+      position: () => {
+        const level = /** @type {Level} */ (controller.levels.at(-1));
+        return arm.position(level.machine.state.system, level.language === 'tp');
+      },
+    },
+  );
+  if (controller.refusal) return { diagnostics: controller.refusal.diagnostics ?? [] };
+  Object.assign(controller.levels[0].machine.state.system, system);
+  return { run: debugged(fanuc(controller, read)) };
 }
 
-/** @param {ReturnType<typeof createMachine>['machine']} machine */
-function codeRun(machine) {
-  /** @type {Moment[]} */
-  const moments = [];
-  let going = runMachine(machine);
-  let output = '';
-  /** @type {Place | null} */
-  let place = null;
-  /** @type {Outcome | null} */
-  let outcome = null;
-  /** Whether the last moment is now: nothing of its statement has been run. */
-  let isNow = false;
-
-  /** @param {Effect} effect @returns {Place} */
-  function placeOf({ line = 0 }) {
-    const { state, image, linker } = machine;
-    const task = state.tasks[state.current];
-    const code = image.codes[task.frames[task.frames.length - 1].code];
-    const program = linker.analyses[code.program].program.name;
-    return { program, routine: code.name, line, depth: task.frames.length, task: state.current };
-  }
-
+/** @param {ReturnType<typeof createController>} controller @param {ReturnType<typeof readPrograms>} read @returns {Debugged<ReturnType<typeof saveController>>} */
+function fanuc(controller, read) {
+  const top = () => /** @type {Level} */ (controller.levels.at(-1));
+  const readOf = (/** @type {string} */ program) =>
+    read.find(({ name }) => name.toUpperCase() === program.toUpperCase());
+  const idOf = (/** @type {string} */ program) => readOf(program)?.id ?? '';
   return {
-    /** The statement that is next; null before the first, and when it is over. */
-    place: () => place,
-    /** How it ended; null while it has not. */
-    outcome: () => outcome,
-    output: () => output,
-    state: () => machine.state,
-
-    /**
-     * @param {(place: Place) => boolean} isStop  whether to stop before a statement
-     * @param {number} most                       statements
-     * @param {() => unknown} mark                what is to be known of this moment when it comes back
-     * @returns {Stop}
-     */
-    advance(isStop, most, mark) {
-      for (let left = most; left > 0;) {
-        isNow = false;
-        const next = going.next();
-        if (next.done) {
-          outcome = next.value;
-          place = null;
-          return { kind: 'over' };
-        }
-        const effect = next.value;
-        if (effect.kind === 'step') {
-          left--;
-          isNow = true;
-          place = placeOf(effect);
-          moments.push({ state: saveState(machine), place, written: output.length, mark: mark() });
-          if (moments.length > MOST_MOMENTS) moments.shift();
-          if (isStop(place)) return { kind: 'line' };
-        } else if (effect.kind === 'write') output = (output + String(effect.text)).slice(-MOST_OUTPUT);
-        else return { kind: 'effect', effect };
-      }
-      return { kind: 'busy' };
+    *go() {
+      const ended = yield* goOn(controller);
+      return ended.diagnostics?.length ? refusalOf(ended) : ended;
     },
-
-    canGoBack: () => moments.length > (isNow ? 1 : 0),
-
-    /** To before the statement that was run last. @returns {unknown} the mark of that moment */
-    back() {
-      if (isNow) moments.pop();
-      const moment = moments.at(-1);
-      if (!moment) return null;
-      restoreState(machine, moment.state);
-      going = runMachine(machine);
-      output = output.slice(0, moment.written);
-      place = moment.place;
-      outcome = null;
-      isNow = true;
-      return moment.mark;
+    save: () => saveController(controller),
+    restore: (saved) => restoreController(controller, saved),
+    placeOf({ line = 0 }) {
+      const level = top();
+      const below = controller.levels.slice(0, -1).reduce((sum, one) => sum + framesOf(one).length, 0);
+      const frames = framesOf(level);
+      const { program, routine } = frames[frames.length - 1];
+      const { current = 0 } = level.language === 'karel' ? level.machine.state : {};
+      const task = current === 0 ? 0 : TASKS * controller.levels.length + current;
+      return { id: idOf(program), program, routine, line, depth: below + frames.length, task };
     },
-
-    /** From the outermost to where it is. @returns {Omit<Place, 'depth' | 'task'>[]} */
-    stack() {
-      const { state, image, linker } = machine;
-      const { frames } = state.tasks[state.current];
-      return frames.map(({ code, pc }, i) => {
-        const { name, program, lines } = image.codes[code];
-        const isTop = i === frames.length - 1;
-        const line = isTop ? (place?.line ?? 0) : (lines[pc - 1] ?? 0);
-        return { program: linker.analyses[program].program.name, routine: name, line };
-      });
+    faultAt({ program }) {
+      const [fault] = readOf(program)?.errors() ?? [];
+      return fault ? faultIn(program, fault) : null;
     },
-
-    /** What the routine and its program know; after the end, what the program knew. @returns {Shown[]} */
-    variables() {
-      const { state, image, linker } = machine;
-      const frame = state.tasks[state.current].frames.at(-1);
-      const code = frame ? image.codes[frame.code] : { program: 0, name: '' };
-      const { scope } = linker.analyses[code.program];
-      const routine = scope.globals.get(code.name.toUpperCase());
-      const locals = frame && routine?.kind === 'routine' ? [...routine.locals.values()] : [];
-      return [...locals, ...scope.globals.values()].flatMap((symbol) => {
-        if (symbol.kind !== 'variable' || symbol.from) return [];
-        const { name, type, slot, isGlobal, isParameter } = symbol;
-        const held = isGlobal ? state.globals[code.program][slot] : frame?.locals[slot];
-        const at = /** @type {{ holder: Record<string | number, unknown>, key: string | number } | undefined} */ (held);
-        const value = isParameter ? at?.holder[at.key] : held;
-        return [{ name, type: typeText(type), value: valueText(value, type), ...(!isGlobal && { owner: code.name }) }];
-      });
-    },
-
-    /** @param {string} port @param {number} index @param {boolean | number} value */
+    frames: () => controller.levels.flatMap(framesOf).map((frame) => ({ ...frame, id: idOf(frame.program) })),
+    memory: () => /** @type {ReturnType<Debugged<unknown>['memory']>} */ (top().machine.state),
+    variables: () => variablesOf(top()),
+    registers: () => registerTexts(top().machine.state),
+    watch: (text) => watched(top(), text),
     setPort(port, index, value) {
-      (machine.state.ports[port] ??= {})[index] = value;
+      (top().machine.state.ports[port] ??= {})[index] = value;
     },
-
-    /** A line for READ. @param {string} line */
+    setRegister(bank, index, slot, value) {
+      const { registers, positionRegisters } = top().machine.state;
+      const now = /** @type {number[] | undefined} */ (positionRegisters[index]);
+      const isReal = !Number.isInteger(value);
+      if (bank === 'R') registers[index] = { value: isReal ? Math.fround(value) : value, isReal };
+      else if (now) positionRegisters[index] = now.with(slot, value);
+    },
     answer(line) {
-      machine.state.input.push(line);
+      const level = top();
+      if (level.language === 'karel') level.machine.state.input.push(line);
     },
   };
 }
 
-/** @typedef {ReturnType<typeof codeRun>} CodeRun */
+/** @param {string} program @param {Diagnostic} fault */
+const faultIn = (program, { span, message }) => `${program} has an error in line ${span.line}: ${message}`;
+
+/** A program that was called, and that the checker has something against. @param {ControllerOutcome} outcome */
+function refusalOf({ program, diagnostics = [] }) {
+  const reason = faultIn(program, diagnostics[0]);
+  return /** @type {const} */ ({ status: 'alarm', alarm: { code: 'faulty', reason, line: 0, routine: program } });
+}
+
+/** Routines and programs that wait for each other, the outermost first. @param {Level} level */
+function framesOf(level) {
+  if (level.language === 'tp') {
+    const { codes, state } = level.machine;
+    return state.frames.map(({ program, at }, i) => {
+      // the frames below stand behind their CALL
+      const line = codes.get(program)?.lines[i < state.frames.length - 1 ? at - 1 : at]?.span?.line ?? 0;
+      return { program, routine: program, line };
+    });
+  }
+  const { state, image, linker } = level.machine;
+  return state.tasks[state.current].frames.map(({ code, pc }) => {
+    const { name, program, lines } = image.codes[code];
+    return { program: linker.analyses[program].program.name, routine: name, line: lines[pc - 1] ?? 0 };
+  });
+}

@@ -4,7 +4,7 @@
  * @import { Type } from '../../karel/check/types.js'
  */
 import { isPosition } from '../../karel/check/types.js';
-import { configText } from '../../karel/run/positions.js';
+import { configText, isJoints } from '../../karel/run/positions.js';
 
 /** Elements of an array, characters of a text: more is cut. */
 const MOST_ELEMENTS = 8;
@@ -37,13 +37,17 @@ export function valueText(value, type) {
 
 /** @param {readonly unknown[]} values @param {Type} type */
 function arrayText(values, type) {
-  if (type.kind === 'VECTOR' || type.kind === 'JOINTPOS') return numbersText(values);
-  if (isPosition(type)) {
-    const config = typeof values[6] === 'number' ? ` | ${configText(values[6])}` : '';
-    return `${numbersText(values.slice(0, 3))} | ${numbersText(values.slice(3, 6))}${config}`;
-  }
+  if (type.kind === 'VECTOR') return numbersText(values);
+  if (isPosition(type)) return positionText(values);
   const shown = values.slice(0, MOST_ELEMENTS).map((one) => valueText(one, type.of ?? NOTHING_KNOWN));
   return cut(`[${shown.join(', ')}${values.length > MOST_ELEMENTS ? `, … ${values.length} in all` : ''}]`);
+}
+
+/** Of joints, or x y z | w p r | the configuration. @param {readonly unknown[]} values */
+export function positionText(values) {
+  if (isJoints(values)) return numbersText(values);
+  const config = typeof values[6] === 'number' ? ` | ${configText(values[6])}` : '';
+  return `${numbersText(values.slice(0, 3))} | ${numbersText(values.slice(3, 6))}${config}`;
 }
 
 /** @type {Type} */

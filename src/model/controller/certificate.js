@@ -15,8 +15,12 @@
 import { fingerprint } from '../fingerprint.js';
 
 const BLANK = '--------';
+const BLANKS = `text ${BLANK} set ${BLANK}`;
+/** Of a remark of TP. */
+const LONGEST_LINE = 32;
 const DIGITS = 4;
 const TEXT = /text (?:[0-9a-f]{8}|-{8}) set (?:[0-9a-f]{8}|-{8})/;
+const CHECK_LINE = /Check (?:none: not verified yet|[\d.]+mm [\d.]+deg)/;
 const CHECKED = /Check ([\d.]+)mm ([\d.]+)deg/;
 const MODEL = /model ([0-9a-f]{8}) by ([0-9A-Za-z.-]+)/;
 
@@ -38,6 +42,13 @@ export const modelPrint = ({ convention, base, tool, joints, units }) =>
     ]),
   );
 
+/** What stands in the header instead until the code has been run: as many lines. @param {RobotDoc} robot @param {string} version */
+export const uncheckedLines = (robot, version) => ['Check none: not verified yet', modelLine(robot, version), BLANKS];
+
+/** @param {RobotDoc} robot @param {string} version */
+const modelLine = (robot, version) =>
+  `model ${modelPrint(robot)} by ${version.replace(/[^0-9A-Za-z.-]/g, '')}`.slice(0, LONGEST_LINE);
+
 /**
  * The files with their certificate, written anew.
  * @param {NeutralProgram} program
@@ -48,40 +59,58 @@ export const modelPrint = ({ convention, base, tool, joints, units }) =>
  * @returns {Written}
  */
 export function withCertificate(program, write, options, robot, deviation) {
-  const [millimetres, degrees] = [deviation.millimetres, deviation.degrees].map(roundedUp);
-  const lines = [
-    `Check ${millimetres}mm ${degrees}deg`,
-    `model ${modelPrint(robot)} by ${program.version.replace(/[^0-9A-Za-z.-]/g, '')}`.slice(0, 32),
-    `text ${BLANK} set ${BLANK}`,
-  ];
+  const lines = [checkLine(deviation), modelLine(robot, program.version), BLANKS];
   const written = write({ ...program, check: lines }, options);
-  const set = setPrint(written.files);
-  return {
-    ...written,
-    files: written.files.map((file) => ({ ...file, text: stamped(file.text, textPrint(file.text), set) })),
-  };
+  return { ...written, files: stamped(written.files) };
 }
 
-/** @param {number} value */
-const roundedUp = (value) => (Math.ceil(value * 10 ** DIGITS) / 10 ** DIGITS).toFixed(DIGITS);
+/**
+ * Files that have the lines of a certificate, with another one in them.
+ * @param {readonly CodeFile[]} files
+ * @param {RobotDoc} robot
+ * @param {string} version
+ * @param {Deviation} deviation
+ * @returns {CodeFile[] | null} null where one of them has none
+ */
+export function recertified(files, robot, version, deviation) {
+  if (!files.every(({ text }) => [CHECK_LINE, MODEL, TEXT].every((line) => line.test(text)))) return null;
+  return stamped(
+    files.map((file) => ({
+      ...file,
+      text: file.text
+        .replace(TEXT, BLANKS)
+        .replace(CHECK_LINE, checkLine(deviation))
+        .replace(MODEL, modelLine(robot, version)),
+    })),
+  );
+}
+
+/** @param {Deviation} deviation */
+const checkLine = ({ millimetres, degrees }) => `Check ${roundedUp(millimetres)}mm ${roundedUp(degrees)}deg`;
+
+/** As "at most" is said: never less than it is. @param {number} value */
+export const roundedUp = (value) => (Math.ceil(value * 10 ** DIGITS) / 10 ** DIGITS).toFixed(DIGITS);
 
 /** Line ends aside, which travel changes. @param {string} text */
-const bare = (text) => text.replace(/\r\n?/g, '\n').replace(TEXT, `text ${BLANK} set ${BLANK}`);
+const bare = (text) => text.replace(/\r\n?/g, '\n').replace(TEXT, BLANKS);
 
 /** @param {string} text */
 const textPrint = (text) => fingerprint(bare(text));
 
-/** @param {readonly CodeFile[]} files */
+/** Whatever the files are called by now. @param {readonly { text: string }[]} files */
 const setPrint = (files) =>
   fingerprint(
-    [...files]
-      .sort((a, b) => (a.name < b.name ? -1 : 1))
+    files
       .map(({ text }) => bare(text))
+      .sort()
       .join('\0'),
   );
 
-/** The blanks were printed; only they are filled in. @param {string} text @param {string} own @param {string} set */
-const stamped = (text, own, set) => text.replace(TEXT, `text ${own} set ${set}`);
+/** The blanks were printed; only they are filled in. @param {readonly CodeFile[]} files */
+function stamped(files) {
+  const set = setPrint(files);
+  return files.map((file) => ({ ...file, text: file.text.replace(TEXT, `text ${textPrint(file.text)} set ${set}`) }));
+}
 
 /** @param {string} text @returns {Certificate | null} null where there is none */
 export function readCertificate(text) {
@@ -90,9 +119,12 @@ export function readCertificate(text) {
   return { millimetres: Number(checked[1]), degrees: Number(checked[2]), model: model[1], version: model[2] };
 }
 
+/** By which the files of a set know each other; null where there is none. @param {string} text */
+export const setOf = (text) => / set ([0-9a-f]{8})/.exec(TEXT.exec(text)?.[0] ?? '')?.[1] ?? null;
+
 /**
  * Whether files are what was certified.
- * @param {readonly CodeFile[]} files
+ * @param {readonly { text: string }[]} files
  * @param {RobotDoc} robot
  * @returns {CertificateStatus[]} of each file
  */

@@ -4,7 +4,7 @@
  * @import { JointDoc, RobotDoc } from '../document.js'
  * @import { Issue } from '../issues.js'
  */
-import { LARGEST_JOINT_VALUE } from '../../karel/fanucPlan.js';
+import { LARGEST_VALUE } from '../../karel/write/neutral.js';
 import { hasControllerData } from './controllerData.js';
 import { isSliding, limitsOf, quantityOf } from '../document.js';
 
@@ -17,18 +17,18 @@ const ROUNDING = 1e-12;
 /** Significant digits of a number in a sentence. */
 const SHOWN_DIGITS = 9;
 
-/** @param {RobotDoc} robot @returns {Issue[]} */
-export function robotIssues(robot) {
+/** @param {RobotDoc} robot @param {'fanuc' | 'kuka'} brand @returns {Issue[]} */
+export function robotIssues(robot, brand) {
   if (hasControllerData(robot)) return [];
-  const message =
-    `${robot.name} has no controller data: the joint values in the code are the model's own, and the coupling of FANUC's ` +
-    'J3 to J2 is not set.';
+  const message = `${robot.name} has no controller data: the joint values in the code are the model's own${
+    brand === 'fanuc' ? ", and the coupling of FANUC's J3 to J2 is not set" : ''
+  }.`;
   return [{ severity: 'warning', code: 'no-controller-data', path: 'robot.joints', message }];
 }
 
 /**
  * @param {RobotDoc} robot
- * @param {{ id: string, q: readonly number[], pendant: readonly number[], index: number }} posture  the document's and the pendant's values
+ * @param {{ id: string, q: readonly number[], pendant: readonly number[], index: number }} posture  what it is called in a sentence; the document's and the pendant's values
  * @returns {Issue[]}
  */
 export function postureIssues({ joints, units }, { id, q, pendant, index }) {
@@ -37,8 +37,8 @@ export function postureIssues({ joints, units }, { id, q, pendant, index }) {
     const problem =
       tooLarge(pendant[i]) ?? pastLimit(joint, q[i], unit) ?? (isSliding(joint) ? null : manyTurns(joint, pendant[i]));
     if (!problem) return [];
-    const message = `Posture "${id}" has ${nameOf(joint, i)} at ${problem.text}.`;
-    return [{ severity: problem.severity, code: problem.code, path: `postures.${index}.q.${i}`, message }];
+    const message = `${id[0].toUpperCase()}${id.slice(1)} has ${nameOf(joint, i)} at ${problem.text}.`;
+    return [{ severity: problem.severity, code: problem.code, path: `steps.${index}.q.${i}`, message }];
   });
 }
 
@@ -46,8 +46,8 @@ export function postureIssues({ joints, units }, { id, q, pendant, index }) {
 
 /** @param {number} pendant @returns {Problem | null} */
 function tooLarge(pendant) {
-  if (Math.abs(pendant) <= LARGEST_JOINT_VALUE) return null;
-  const text = `${shown(pendant)} on the pendant; a controller takes values up to ±${LARGEST_JOINT_VALUE}`;
+  if (Math.abs(pendant) <= LARGEST_VALUE) return null;
+  const text = `${shown(pendant)} on the pendant; a controller takes values up to ±${LARGEST_VALUE}`;
   return { severity: 'error', code: 'value-too-large', text };
 }
 

@@ -14,20 +14,29 @@ import { compileRobot } from '../compile.js';
 import { identityPose } from '../document.js';
 import { agree, framePose, poseOnly } from '../frames/frames.js';
 
-/** @param {Doc} doc @param {Brand} brand */
-export function controllerFrames(doc, brand) {
+/**
+ * @param {Doc} doc
+ * @param {Brand} brand
+ * @param {Readonly<Record<string, number>>} [own]  numbers that are to be used instead, by frameKey
+ */
+export function controllerFrames(doc, brand, own = {}) {
   const { robot, frames, activeTool } = doc;
   /** @type {NumberedFrame[]} */
   const numbered = frames.map((frame) => ({
     ...{ kind: frame.kind, name: frame.id, pose: poseOnly(frame) },
-    number: frame.number ?? freeNumber(frames, frame),
+    number: own[frameKey(frame.kind, frame.id)] ?? frame.number ?? freeNumber(frames, frame),
   }));
   const named = (/** @type {'user' | 'tool'} */ kind, /** @type {string | undefined} */ id) =>
     numbered.find((frame) => frame.kind === kind && frame.name === id);
   const isBare = agree(robot.tool, identityPose());
   if (activeTool === undefined && !isBare) {
     const taken = numbered.flatMap(({ kind, number }) => (kind === 'tool' ? [number] : []));
-    numbered.push({ kind: 'tool', number: Math.max(0, ...taken) + 1, name: '', pose: poseOnly(robot.tool) });
+    numbered.push({
+      kind: 'tool',
+      number: own[frameKey('tool', '')] ?? Math.max(0, ...taken) + 1,
+      name: '',
+      pose: poseOnly(robot.tool),
+    });
   }
   const ownTool = activeTool === undefined ? (isBare ? undefined : named('tool', '')) : named('tool', activeTool);
   const T_world_zero = brand === 'fanuc' ? fanucWorld(compileRobot(robot)) : identity();
@@ -39,7 +48,7 @@ export function controllerFrames(doc, brand) {
     /** @param {MoveStep} step */
     toolOf: ({ tool }) => (tool === undefined ? ownTool : named('tool', tool))?.number ?? 0,
     /** @param {string | undefined} id */
-    userOf: (id) => named('user', id)?.number ?? 0,
+    userOf: (id) => named('user', id)?.number ?? 0, // no name, or '': the world
     /** The user frame of a number seen from the world; null where there is none. @param {number} number */
     userPose(number) {
       if (number === 0) return T_world_zero;
@@ -62,6 +71,9 @@ export function controllerFrames(doc, brand) {
 }
 
 /** @typedef {ReturnType<typeof controllerFrames>} ControllerFrames */
+
+/** Of a frame among others; the tool that has no name is ''. @param {'user' | 'tool'} kind @param {string} name */
+export const frameKey = (kind, name) => `${kind} ${name}`;
 
 /** Of the first frame, turned as the base is, where axis 2 has its common normal with axis 1. @param {Chain} chain */
 function fanucWorld(chain) {

@@ -7,21 +7,39 @@
  * @import { Brand, ControllerFrames } from './frameNumbers.js'
  * @import { FollowedMove } from './followMoves.js'
  * @import { NeutralMove, NeutralProgram, NeutralStep, NeutralTarget } from '../../karel/write/neutral.js'
+ * @import { Lost } from './lostLaws.js'
  * @import { Chain } from '../../kinematics/chain.js'
  * @import { Move } from '../../motion/moves.js'
  *
- * @typedef {{ move: NeutralMove, kernel: Exclude<Move, { kind: 'wait' }>, followed: FollowedMove, from: Float64Array }} MadeMove
+ * @typedef {object} MadeMove
+ * @property {NeutralMove} move
+ * @property {Exclude<Move, { kind: 'wait' }>} kernel
+ * @property {FollowedMove} followed
+ * @property {Float64Array} from
+ * @property {Lost | null} lost   what of it no controller's language holds
+ *
+ * @typedef {object} NeutralOptions
+ * @property {Brand} brand
+ * @property {string} version
+ * @property {string} generatedAt
+ * @property {readonly number[]} [start]   where the arm stands at first
+ * @property {string} [userFrame]          in which all positions are; '' for the world; absent: as the steps have it
+ * @property {Readonly<Record<string, number>>} [numbers]  of frames (frameNumbers.js)
+ *
  * @typedef {object} MadeProgram
  * @property {NeutralProgram} program
  * @property {readonly MadeMove[]} moves   of the program, with where the arm goes
  * @property {ControllerFrames} frames
+ * @typedef {{ made: MadeProgram, issues: readonly [] } | { made: null, issues: readonly Issue[] }} Made
  */
+import { dexterity } from '../../kinematics/dexterity.js';
 import { tcpPose } from '../../kinematics/forward.js';
 import { rollPitchYawOf } from '../../kinematics/orientation.js';
 import { compose, invert } from '../../kinematics/pose.js';
-import { compilePose, compilePosture, postureFromKernel } from '../compile.js';
+import { compilePose, compilePosture, compileRobot, postureFromKernel } from '../compile.js';
 import { isSliding } from '../document.js';
 import { configurationAt } from '../aim/solutions.js';
+import { atOnce } from '../inSlices.js';
 import { motionMoves } from '../program/motionPlan.js';
 import { isMove } from '../program/motionProgram.js';
 import { issue } from '../refusalParts.js';
@@ -30,13 +48,18 @@ import { conventionLines } from './controllerConvention.js';
 import { pendantValues } from './controllerValues.js';
 import { followMove, postureAlong } from './followMoves.js';
 import { controllerFrames } from './frameNumbers.js';
+import { lawNotes, lostOf, viaWays } from './lostLaws.js';
 
 const CONTROLLER_UNITS = /** @type {const} */ ({ length: 'mm', angle: 'deg' });
 
 /** % of the way to where the program begins. */
 const START_SPEED = 10;
 
+/** One over the condition number, below which the decimals of a position leave open where the axes are that it depends on. */
+const SINGULAR = 1e-3;
+
 const REASONS = {
+  singular: 'the posture there is singular, and its configuration does not tell it from others',
   'not-six-axes': 'configurations are for arms with six axes',
   prismatic: 'configurations are for arms whose axes all turn',
   'no-spherical-wrist': 'configurations are for arms whose last three axes meet',
@@ -47,14 +70,25 @@ const REASONS = {
 /**
  * @param {Doc} doc
  * @param {MotionProgramDoc} program
- * @param {{ brand: Brand, version: string, generatedAt: string, start?: readonly number[] }} options  start: where the arm stands at first
- * @returns {{ made: MadeProgram, issues: readonly [] } | { made: null, issues: readonly Issue[] }}
+ * @param {NeutralOptions} options
+ * @returns {Made}
  */
-export function neutralProgram(doc, program, { brand, version, generatedAt, start = doc.posture }) {
+export const neutralProgram = (doc, program, options) => atOnce(neutralInSlices(doc, program, options));
+
+/**
+ * The same, move by move.
+ * @param {Doc} doc
+ * @param {MotionProgramDoc} program
+ * @param {NeutralOptions} options
+ * @returns {Generator<number, Made>}
+ */
+export function* neutralInSlices(doc, program, options) {
+  const { brand, version, generatedAt, start = doc.posture } = options;
   const { robot } = doc;
   const planned = motionMoves(doc, program, start);
   if (planned.issues.length > 0) return { made: null, issues: planned.issues };
-  const frames = controllerFrames(doc, brand);
+  const frames = controllerFrames(doc, brand, options.numbers);
+  const ways = viaWays(compileRobot(robot), planned.moves, planned.limits);
   /** @type {NeutralStep[]} */
   const steps = [];
   /** @type {MadeMove[]} */
@@ -62,47 +96,52 @@ export function neutralProgram(doc, program, { brand, version, generatedAt, star
   let /** @type {Float64Array} */ from = compilePosture(robot, start);
   let next = 0;
 
-  /** @param {MoveStep} step @param {number} index @param {Exclude<Move, { kind: 'wait' }>} kernel @returns {string | null} why not */
-  function add(step, index, kernel) {
+  /** @param {MoveStep} step @param {number} index @param {Exclude<Move, { kind: 'wait' }>} kernel @param {number} [planIndex]  of the move in the plan @returns {string | null} why not */
+  function add(step, index, kernel, planIndex = -1) {
     const tool = frames.toolOf(step);
     const chain = /** @type {Chain} */ (frames.chainOf(tool));
-    const userId = step.frame ?? frameOf(doc, step.target);
+    const userId = options.userFrame ?? step.frame ?? frameOf(doc, step.target);
     const userFrame = frames.userOf(userId);
     const T_user_world = invert(/** @type {Float64Array} */ (frames.userPose(userFrame)));
     const followed = followMove(chain, from, kernel);
     if ('message' in followed) return followed.message;
     const targetOf = (/** @type {StepTarget} */ target, /** @type {Float64Array} */ q, /** @type {Float64Array} */ T) =>
-      neutralTarget(robot, chain, target, q, compose(T_user_world, T));
+      neutralTarget(robot, chain, target, q, compose(T_user_world, T), step.kind === 'joint');
     const via =
       kernel.kind === 'circular' && step.via
         ? targetOf(step.via, postureNear(followed, kernel.via), kernel.via)
         : undefined;
     const T_end = kernel.kind === 'joint' ? tcpPose(chain, followed.end) : kernel.T_base_tcp;
+    const way = ways.of(planIndex, from);
+    const lost = lostOf(step, way, followed);
     /** @type {NeutralMove} */
     const move = {
       ...{ kind: 'move', motion: step.kind, target: targetOf(step.target, followed.end, T_end), ...(via && { via }) },
-      ...{ speed: speedOf(robot, step), acceleration: step.acceleration, ending: endingOf(robot, step) },
+      ...{ speed: speedOf(robot, step), acceleration: step.acceleration },
+      ending: lost && step.ending.kind !== 'fine' ? { kind: 'percent', value: 100 } : endingOf(robot, step),
       ...{ userFrame, tool, step: index, ...(step.comment && { comment: step.comment }) },
     };
     steps.push(move);
-    moves.push({ move, kernel, followed, from });
+    moves.push({ move, kernel, followed, from, lost });
     from = followed.end;
     return null;
   }
 
-  /** @param {MotionProgramDoc} one @param {number | null} calledBy @returns {Issue | null} */
-  function through(one, calledBy) {
+  /** @param {MotionProgramDoc} one @param {number | null} calledBy @returns {Generator<number, Issue | null>} */
+  function* through(one, calledBy) {
     for (const [i, step] of one.steps.entries()) {
       if (step.disabled) continue;
       const index = calledBy ?? i;
       const called = step.kind === 'call' && doc.motionPrograms.find(({ id }) => id === step.program);
       if (called) {
-        const inner = through(called, index);
+        const inner = yield* through(called, index);
         if (inner) return inner;
       } else if (isMove(step)) {
-        const kernel = /** @type {Exclude<Move, { kind: 'wait' }>} */ (planned.moves[next++]);
+        const at = next++;
+        const kernel = /** @type {Exclude<Move, { kind: 'wait' }>} */ (planned.moves[at]);
         if (moves.length === 0 && kernel.kind !== 'joint') add(startStep(start), -1, startMove(robot, start));
-        const reason = add(step, index, kernel);
+        const reason = add(step, index, kernel, at);
+        yield next / planned.moves.length;
         if (reason) return issue('step-impossible', `steps.${index}`, `Step ${index + 1}: ${reason}.`);
       } else {
         if (step.kind === 'wait') next++;
@@ -112,7 +151,7 @@ export function neutralProgram(doc, program, { brand, version, generatedAt, star
     return null;
   }
 
-  const fault = through(program, null);
+  const fault = yield* through(program, null);
   if (fault) return { made: null, issues: [fault] };
   if (moves.length === 0)
     return {
@@ -126,7 +165,7 @@ export function neutralProgram(doc, program, { brand, version, generatedAt, star
     made: {
       program: {
         ...{ name: program.name, robotName: robot.name, version, generatedAt, steps },
-        ...{ convention: conventionLines(robot), slides: robot.joints.map(isSliding) },
+        ...{ convention: conventionLines(robot), slides: robot.joints.map(isSliding), notes: lawNotes(moves) },
         frames: used.map(({ kind, number, name, pose }) => ({
           ...{ kind, number, name: name || 'in use' },
           position: controllerPosition(
@@ -170,11 +209,17 @@ export const controllerPosition = (T) => [
  * @param {StepTarget} target
  * @param {Float64Array} q
  * @param {Float64Array} T_user_tcp
+ * @param {boolean} isByJoints  the move: which posture it ends in is not known from where it comes
  * @returns {NeutralTarget}
  */
-function neutralTarget(robot, chain, target, q, T_user_tcp) {
+function neutralTarget(robot, chain, target, q, T_user_tcp, isByJoints) {
   const posture = target.kind === 'posture' ? [...target.values] : postureFromKernel(robot, q);
   const { fanuc, kuka } = configurationAt(robot, chain, posture);
+  const isSingular = isByJoints && 1 / dexterity(chain, q).conditionNumber < SINGULAR;
+  if (isSingular && target.kind !== 'posture' && fanuc.text !== null) {
+    const values = { joints: pendantValues(robot, posture), position: controllerPosition(T_user_tcp) };
+    return { ...values, fanuc: null, kuka: null, isJoint: false, reason: REASONS.singular };
+  }
   return {
     ...{ joints: pendantValues(robot, posture), position: controllerPosition(T_user_tcp) },
     ...{ fanuc: fanuc.text, kuka: kuka.status === null ? null : { status: kuka.status, turn: kuka.turn } },

@@ -1,15 +1,22 @@
 /**
- * Files of code, read and run without an arm: the effects of their moves, each with its line, and everything that can be said
- * against the text before and while it runs.
+ * Files of code, read and run: the effects of their moves, each with its file and line, and everything that can be said against
+ * the text before and while it runs. Where the arm is, whoever runs them says.
  *
  * @import { Diagnostic } from '../../karel/parse/cursor.js'
+ * @import { Level } from '../../karel/controller.js'
  * @import { Effect, State } from '../../karel/run/machine.js'
  * @import { TpListing } from '../../karel/tp/tree.js'
  * @import { Program } from '../../karel/tree.js'
  * @import { CodeFile } from '../../karel/write/neutral.js'
+ * @import { SystemValues } from '../code/codeFrames.js'
  *
  * @typedef {{ severity: 'error' | 'warning', code: string, message: string, file: string, line: number }} CodeFinding
- * @typedef {{ effects: Effect[], findings: CodeFinding[], language: 'fanuc' | 'krl' }} CodeRun
+ * @typedef {{ effects: Effect[], findings: CodeFinding[] }} CodeRun
+ *
+ * @typedef {object} SimulatedArm   where it is by now, as a pendant counts
+ * @property {() => readonly number[]} joints
+ * @property {(system: SystemValues, isTp: boolean) => readonly number[]} position
+ * @property {Record<string, unknown>} system   what the controller's variables hold at first
  */
 import { checkKarel } from '../../karel/checker.js';
 import { createController, goOn } from '../../karel/controller.js';
@@ -21,39 +28,61 @@ import { parseTp } from '../../karel/tp/parser.js';
 import { nameOf } from '../../karel/tp/tree.js';
 
 const STEPS = 200_000;
+/** Statements between two looks at the clock. */
+const TURN = 200;
 
 /** KAREL's motion types and how moves end, as TP has them. */
 const MOTYPES = /** @type {Readonly<Record<number, string>>} */ ({ 6: 'J', 7: 'L', 8: 'C' });
 const VARDECEL = 5;
 const FINE = 1;
 
-/** @param {readonly CodeFile[]} files  the first is the one that is run @returns {CodeRun} */
+/** All at once, without an arm. @param {readonly CodeFile[]} files  the first is the one that is run @returns {CodeRun} */
 export function runCode(files) {
-  return files[0].language === 'krl' ? runKrlFiles(files) : runFanucFiles(files);
+  /** @type {CodeFinding[]} */
+  const findings = [];
+  const effects = [...runMoves(files, findings)].filter((effect) => effect !== null);
+  return { effects, findings };
 }
+
+/**
+ * Move by move.
+ * @param {readonly CodeFile[]} files   the first is the one that is run
+ * @param {CodeFinding[]} findings      are added to
+ * @param {SimulatedArm} [arm]
+ * @returns {Generator<Effect | null, void>}   of KAREL's MOVE as it would stand in TP, and itself as `raw`; `system` of FANUC; null: it
+ *   is still at what comes before a move
+ */
+export const runMoves = (files, findings, arm) =>
+  files[0].language === 'krl' ? runKrlFiles(files, findings) : runFanucFiles(files, findings, arm);
 
 /** @param {string} file @param {readonly Diagnostic[]} diagnostics @returns {CodeFinding[]} */
 const findingsOf = (file, diagnostics) =>
   diagnostics.map(({ severity, code, message, span }) => ({ severity, code, message, file, line: span.line }));
 
-/** @param {readonly CodeFile[]} files @returns {CodeRun} */
-function runKrlFiles(files) {
+/** @param {readonly CodeFile[]} files @param {CodeFinding[]} findings @returns {Generator<Effect, void>} */
+function* runKrlFiles(files, findings) {
   const src = files.find(({ name }) => /\.src$/i.test(name)) ?? files[0];
   const dat = files.find(({ name }) => /\.dat$/i.test(name));
   const { tree, diagnostics, datDiagnostics } = parseKrl(src.text, dat?.text);
-  const findings = [...findingsOf(src.name, diagnostics), ...(dat ? findingsOf(dat.name, datDiagnostics) : [])];
-  /** @type {Effect[]} */
-  const effects = [];
+  findings.push(...findingsOf(src.name, diagnostics), ...(dat ? findingsOf(dat.name, datDiagnostics) : []));
+  const first = tree.statements.findIndex(({ kind }) => kind === 'motion');
+  const isSet = (/** @type {string} */ frame) =>
+    tree.statements.slice(0, first).some((one) => one.kind === 'bas' && one.what === frame);
+  if (first >= 0)
+    findings.push(
+      ...unsetFrames(
+        ['TOOL', 'BASE'].filter((frame) => !isSet(frame)),
+        src.name,
+        tree.statements[first].span?.line,
+      ),
+    );
   const run = runKrl(tree, { input: (_, time) => Math.floor(time / 12) % 2 === 1 });
   let next = run.next();
   // Inputs are taken to come at once.
-  for (; !next.done && effects.length < STEPS; next = run.next())
-    if (next.value.kind === 'move') effects.push({ ...next.value, hasStatus: next.value.status !== undefined });
-  if (next.done && next.value.alarm) {
-    const { code, reason, line } = next.value.alarm;
-    findings.push({ severity: 'error', code, message: reason, file: src.name, line });
-  }
-  for (const effect of effects)
+  for (let count = 0; !next.done && count < STEPS; next = run.next(), count++) {
+    const effect = next.value;
+    if (effect.kind === 'call') findings.push(passedOver(effect, src.name));
+    if (effect.kind !== 'move') continue;
     if (effect.motion === 'J' && effect.isJoint !== true && effect.status === undefined)
       findings.push({
         severity: 'warning',
@@ -62,23 +91,29 @@ function runKrlFiles(files) {
         file: src.name,
         line: effect.line ?? 0,
       });
-  return { effects, findings, language: 'krl' };
+    yield { ...effect, hasStatus: effect.status !== undefined, file: src.name };
+  }
+  if (next.done && next.value.alarm) {
+    const { code, reason, line } = next.value.alarm;
+    findings.push({ severity: 'error', code, message: reason, file: src.name, line });
+  }
 }
 
-/** @param {readonly CodeFile[]} files @returns {CodeRun} */
-function runFanucFiles(files) {
-  /** @type {CodeFinding[]} */
-  const findings = [];
+/** @param {readonly CodeFile[]} files @param {CodeFinding[]} findings @param {SimulatedArm} [arm] @returns {Generator<Effect | null, void>} */
+function* runFanucFiles(files, findings, arm) {
   /** @type {Record<string, Program>} */
   const karel = {};
   /** @type {Record<string, TpListing>} */
   const listings = {};
   /** @type {Map<string, string>} */
   const fileOf = new Map();
+  /** Those whose first MOVE has been looked at. @type {Set<string>} */
+  const framed = new Set();
   let start = '';
   for (const { name: file, language, text } of files) {
     if (language === 'karel') {
       const { tree, diagnostics } = parseKarel(text);
+      yield null;
       findings.push(...findingsOf(file, [...diagnostics, ...checkKarel(tree)]));
       if (tree.kind !== 'program') continue;
       karel[tree.name] = tree;
@@ -92,15 +127,29 @@ function runFanucFiles(files) {
       start ||= nameOf(tree);
     }
   }
-  /** @type {Effect[]} */
-  const effects = [];
-  if (start === '') return { effects, findings, language: 'fanuc' };
+  if (start === '') return;
   const main = /** @type {string} */ (fileOf.get(start.toUpperCase()));
-  const controller = createController(start, { karel, listings }, { steps: STEPS, onScan: comingInputs(files) });
+  const top = () => /** @type {Level} */ (controller.levels.at(-1));
+  const system = () => top().machine.state.system;
+  const controller = createController(
+    start,
+    { karel, listings },
+    {
+      ...{ steps: STEPS, traceSteps: true, onScan: comingInputs(files) },
+      ...(arm && { joints: arm.joints, position: () => arm.position(system(), top().language === 'tp') }),
+    },
+  );
+  if (arm && !controller.refusal) Object.assign(system(), arm.system);
+  yield null;
   const run = goOn(controller);
+  let count = 0;
   let next = run.next();
   for (; !next.done; next = run.next()) {
     const effect = next.value;
+    if (effect.kind === 'step') {
+      if (++count % TURN === 0) yield null;
+      continue;
+    }
     const file = fileOf.get(String(effect.in)) ?? main;
     if (effect.kind === 'write' && /TPERROR|OUTPUT/.test(String(effect.device ?? '')))
       findings.push({
@@ -110,17 +159,24 @@ function runFanucFiles(files) {
         file,
         line: effect.line ?? 0,
       });
+    if (effect.kind === 'call') findings.push(passedOver(effect, file));
     if (effect.kind !== 'move') continue;
     if (effect.settings) {
       findings.push({
         severity: 'warning',
         code: 'deprecated-move',
-        message: 'MOVE is deprecated: later controllers may move unexpectedly, or refuse it.',
+        message: 'MOVE is deprecated from R-30iA on: later controllers may move unexpectedly, or refuse it.',
         file,
         line: effect.line ?? 0,
       });
-      effects.push({ ...karelMove(effect, /** @type {State} */ (controller.levels.at(-1)?.machine.state)), file });
-    } else effects.push({ ...effect, file });
+      if (!framed.has(file)) {
+        framed.add(file);
+        const text = files.find(({ name }) => name === file)?.text ?? '';
+        const missing = ['$UTOOL', '$UFRAME'].filter((frame) => !text.toUpperCase().includes(frame));
+        findings.push(...unsetFrames(missing, file, effect.line));
+      }
+      yield { ...karelMove(effect, system()), raw: effect, system: system(), file };
+    } else yield { ...effect, system: system(), file };
   }
   const { status, alarm, diagnostics = [], program } = next.value;
   const file = fileOf.get(program.toUpperCase()) ?? main;
@@ -133,8 +189,24 @@ function runFanucFiles(files) {
       file,
       line: diagnostics[0]?.span.line ?? 0,
     });
-  return { effects, findings, language: 'fanuc' };
 }
+
+/** @param {readonly string[]} missing  frames that nothing has chosen before the first move @param {string} file @param {number} [line] @returns {CodeFinding[]} */
+const unsetFrames = (missing, file, line = 0) =>
+  missing.length === 0
+    ? []
+    : [
+        {
+          ...{ severity: 'warning', code: 'frames', file, line },
+          message: `${missing.join(' and ')} ${missing.length === 1 ? 'is' : 'are'} not set before this move: whatever was chosen last holds.`,
+        },
+      ];
+
+/** @param {Effect} effect  of a program that is not at hand @param {string} file @returns {CodeFinding} */
+const passedOver = ({ program, line = 0 }, file) => ({
+  ...{ severity: 'warning', code: 'not-at-hand', file, line },
+  message: `${String(program)} is not at hand: it is passed over, and what it does is not verified.`,
+});
 
 /** Inputs that are waited for are taken to come: they change at each look. @param {readonly CodeFile[]} files */
 function comingInputs(files) {
@@ -147,24 +219,22 @@ function comingInputs(files) {
   };
 }
 
-/** KAREL's MOVE as a move of TP. @param {Effect} effect @param {State} state @returns {Effect} */
-function karelMove(effect, { system }) {
+/** KAREL's MOVE as a move of TP. @param {Effect} effect @param {SystemValues} system @returns {Effect} */
+function karelMove(effect, system) {
   const settings = /** @type {Record<string, unknown>} */ (effect.settings);
-  const type = Number(settings.$TERMTYPE);
+  const set = (/** @type {string} */ name) =>
+    settings[`$${name}`] ?? settings[`$GROUP[1].$${name}`] ?? system[`GROUP[1].${name}`] ?? system[name];
+  const type = Number(set('TERMTYPE'));
   return {
     ...effect,
-    ...{ motion: MOTYPES[Number(settings.$MOTYPE)] ?? 'J' },
+    ...{ motion: MOTYPES[Number(set('MOTYPE'))] ?? 'J' },
     viaIsJoint: Array.isArray(effect.via) && effect.via.length < 10,
     speed: {
       value: settings.$SPEED ?? settings.$ROTSPEED ?? null,
       unit: settings.$ROTSPEED === undefined ? 'mm/sec' : 'deg/sec',
     },
     termination:
-      type === FINE
-        ? { kind: 'FINE' }
-        : type === VARDECEL
-          ? { kind: 'CNT', value: settings.$DECELTOL }
-          : { kind: 'CR' },
+      type === FINE ? { kind: 'FINE' } : type === VARDECEL ? { kind: 'CNT', value: set('DECELTOL') } : { kind: 'CR' },
     ...{ userFrame: Number(system['MNUFRAMENUM[1]'] ?? 0), toolFrame: Number(system['MNUTOOLNUM[1]'] ?? 0) },
   };
 }

@@ -37,6 +37,9 @@ const PIECE = { way: 0.01, turn: 0.05 };
 /** Where it ends is found to this many binary digits of a piece. */
 const BISECTIONS = 14;
 
+/** After so many digits a miss is still clear of what a search leaves, and a joint that runs into its limit is so near to it: radians, metres. */
+const CLEAR = { digits: 10, gap: 1e-4 };
+
 /** So little of a piece is no way to go: a joint is turning as fast as it may and the tool hardly moves. */
 const HARDLY = 1e-3;
 
@@ -120,6 +123,7 @@ function takePiece(chain, press, to, options) {
   if (isMet(whole)) return at(to, whole);
   let best = press;
   let missed = whole;
+  let clear = whole;
   let [on, off] = [0, 1];
   for (let n = 0; n < BISECTIONS; n++) {
     const middle = (on + off) / 2;
@@ -129,6 +133,7 @@ function takePiece(chain, press, to, options) {
       on = middle;
     } else {
       missed = found;
+      if (n < CLEAR.digits) clear = found;
       off = middle;
     }
   }
@@ -137,7 +142,15 @@ function takePiece(chain, press, to, options) {
   // A joint that is as fast as it may be hides what it runs into: that shows where the joints take what they need.
   const cause = isSlow ? followPose(chain, { q: best.q }, goalOf(press, to), { mostStep: ANY_STEP }) : missed;
   if (isSlow && isMet(cause)) return { ...best, stop: { why: 'singularity' } };
-  return { ...best, stop: reasonFor(chain, best, to - from, cause) };
+  // Beyond the limit that the arm has run into there may be another end, or so little left that it tells nothing.
+  const reason = [clear, missed].find((end) => runsInto(chain, best.q, end)) ?? cause;
+  return { ...best, stop: reasonFor(chain, best, to - from, reason) };
+}
+
+/** Whether a posture stands at the limit that ended a way. @param {Chain} chain @param {Float64Array} q @param {Followed} followed */
+function runsInto({ packed: { lower, upper } }, q, { status, joint }) {
+  if (status !== 'limit' || joint === undefined) return false;
+  return Math.min(q[joint] - lower[joint], upper[joint] - q[joint]) < CLEAR.gap;
 }
 
 /**

@@ -11,7 +11,8 @@
  *   | { type: 'remove-motion-program', program: number }
  *   | { type: 'insert-steps', program: number, at: number, steps: readonly NewStep[] }
  *   | { type: 'edit-step', program: number, step: number, to: NewStep }
- *   | { type: 'move-step', program: number, step: number, to: number }
+ *   | { type: 'edit-steps', program: number, step: number, to: readonly NewStep[] }
+ *   | { type: 'move-step', program: number, step: number, to: number, count?: number }
  *   | { type: 'remove-steps', program: number, step: number, count: number }} MotionCommand
  */
 
@@ -46,14 +47,14 @@ function changed(program, command) {
       return program.name === command.name ? program : { ...program, name: command.name };
     case 'insert-steps':
       return command.steps.length === 0 ? program : withNew(program, command.at, command.steps);
-    case 'edit-step': {
-      const old = steps[command.step];
-      const next = stepOf(command.to, old.id);
-      return isSame(old, next) ? program : { ...program, steps: steps.with(command.step, next) };
-    }
+    case 'edit-step':
+      return edited(program, command.step, [command.to]);
+    case 'edit-steps':
+      return edited(program, command.step, command.to);
     case 'move-step': {
-      const { step, to } = command;
-      return step === to ? program : { ...program, steps: steps.toSpliced(step, 1).toSpliced(to, 0, steps[step]) };
+      const { step, to, count = 1 } = command;
+      const moved = steps.slice(step, step + count);
+      return step === to ? program : { ...program, steps: steps.toSpliced(step, count).toSpliced(to, 0, ...moved) };
     }
     case 'remove-steps':
       return { ...program, steps: steps.toSpliced(command.step, command.count) };
@@ -63,6 +64,18 @@ function changed(program, command) {
       throw new TypeError(`Unknown command: ${JSON.stringify(unknown)}`);
     }
   }
+}
+
+/** @param {MotionProgramDoc} program @param {number} first @param {readonly NewStep[]} to  from there on, one by one @returns {MotionProgramDoc} */
+function edited(program, first, to) {
+  const { steps } = program;
+  const next = to.map((step, i) => {
+    const old = steps[first + i];
+    const made = stepOf(step, old.id);
+    return isSame(old, made) ? old : made;
+  });
+  const isOther = next.some((step, i) => step !== steps[first + i]);
+  return isOther ? { ...program, steps: steps.toSpliced(first, next.length, ...next) } : program;
 }
 
 /** @param {MotionProgramDoc} program @param {number} at @param {readonly NewStep[]} added @returns {MotionProgramDoc} */

@@ -125,6 +125,12 @@ function createRun(doc, start) {
     return chain;
   }
 
+  /** Of a move with another tool than the active one. @param {MoveStep} step */
+  function ownChain(step) {
+    const chain = chainOf(step);
+    return chain === chains.get(undefined) ? {} : { chain };
+  }
+
   function whereFrom() {
     for (const { chain, T } of passed.splice(0)) {
       const found = inverseKinematics(chain, T, { seed });
@@ -173,7 +179,10 @@ function createRun(doc, start) {
       if ('message' in found) return found.message;
       const share = { speed: step.speed / 100, acceleration: step.acceleration / 100 };
       add(
-        /** @type {JointMove | ViaMove} */ ({ kind: 'joint', posture: found.posture, ...share, ...law, ending }),
+        /** @type {JointMove | ViaMove} */ ({
+          ...{ kind: 'joint', posture: found.posture, ending },
+          ...{ ...share, ...law, ...ownChain(step) },
+        }),
         index,
       );
       seed = found.posture;
@@ -193,7 +202,7 @@ function createRun(doc, start) {
       acceleration: (ASSUMED_TOOL_ACCELERATION * step.acceleration) / 100,
       ...law,
       ending,
-      ...(chain !== chains.get(undefined) && { chain }),
+      ...ownChain(step),
     };
     add(step.via ? { kind: 'circular', via: poseOf(step, step.via), ...tool } : { kind: 'linear', ...tool }, index);
     passed.push({ chain, T });
@@ -243,7 +252,7 @@ function createRun(doc, start) {
   };
 }
 
-const UNREACHED = {
+export const UNREACHED = {
   distance: 'The arm does not reach this pose.',
   orientation: 'The arm reaches this place, but not so turned.',
   limits: 'The arm reaches this pose only past a limit of its joints.',

@@ -39,17 +39,22 @@ function badPlace({ motionPrograms }, command) {
       return badIndex('step', command.at, length + 1) ?? badSteps(command.steps);
     case 'edit-step':
       return badIndex('step', command.step, length) ?? badSteps([command.to]);
-    case 'move-step':
-      return badIndex('step', command.step, length) ?? badIndex('step', command.to, length);
+    case 'edit-steps':
+      return badSteps(command.to) ?? badRange(command.step, command.to.length, length);
+    case 'move-step': {
+      const { step, to, count = 1 } = command;
+      return badRange(step, count, length) ?? badIndex('step', to, length - count + 1);
+    }
     case 'remove-steps':
-      return (
-        badIndex('step', command.step, length) ??
-        badIndex('step', command.step + command.count - 1, length, command.step)
-      );
+      return badRange(command.step, command.count, length);
     default:
       return null;
   }
 }
+
+/** @param {number} step @param {number} count  of steps from there on, at least one @param {number} length */
+const badRange = (step, count, length) =>
+  badIndex('step', step, length) ?? badIndex('step', step + count - 1, length, step);
 
 /** Only plain data can be copied into a document. @param {readonly unknown[]} steps */
 function badSteps(steps) {

@@ -61,6 +61,17 @@ export function steppedTimes(duration, step) {
 }
 
 /**
+ * The arm with the tool that it has in a move, or waits with after it; undefined: with the active one.
+ * @param {readonly Move[]} moves
+ * @param {number} index
+ * @returns {Chain | undefined}
+ */
+export function chainOfMove(moves, index) {
+  const move = moves[index];
+  return move?.kind === 'wait' ? chainOfMove(moves, index - 1) : move?.chain;
+}
+
+/**
  * The series of a planned program, as fine as plots want it, or at times of one's own.
  * @param {{ readonly plan: MotionPlan, readonly moves: readonly Move[] }} planned
  * @param {Chain} chain
@@ -68,10 +79,7 @@ export function steppedTimes(duration, step) {
  */
 export function seriesOf({ plan, moves }, chain, times) {
   const count = Math.round(Math.min(SAMPLES.most, Math.max(SAMPLES.least, SAMPLES.rate * plan.duration)));
-  return sampleSeries(plan, times ?? sampleTimes(plan, count), (index) => {
-    const move = moves[index];
-    return (move && 'chain' in move && move.chain) || chain;
-  });
+  return sampleSeries(plan, times ?? sampleTimes(plan, count), (index) => chainOfMove(moves, index) ?? chain);
 }
 
 /**

@@ -3,12 +3,14 @@
  * before it is offered, so that what is put into a document can be played; where nothing is found, that is all that is said:
  * other places were not tried.
  *
- * @import { Doc, Ending, MotionProgramDoc, PoseTarget } from '../document.js'
+ * @import { Doc, Ending, MotionProgramDoc, PoseTarget, RobotDoc } from '../document.js'
  * @import { NewStep } from './motionCommands.js'
  * @import { Chain } from '../../kinematics/chain.js'
  *
- * @typedef {'pick-and-place' | 'weld-seam' | 'circle' | 'lissajous' | 'corners'} ReadyId
- * @typedef {{ above: string, grip: string, release: string, arc: string, sharp: string, rounded: string }} ReadyWords  comments of steps
+ * @typedef {'pick-and-place' | 'weld-seam' | 'circle' | 'lissajous' | 'corners' | 'laws' | 'points'} ReadyId
+ * @typedef {{ above: string, grip: string, release: string, arc: string, sharp: string, rounded: string, through: string, past: string,
+ *   laws: Record<Law, string> }} ReadyWords  comments of steps
+ * @typedef {typeof LAWS[number]} Law
  *
  * @typedef {object} Room   where a program is drawn: in the plane of u and v around a place of the tool, with n pointing away from the work
  * @property {Float64Array} T_world_middle
@@ -23,10 +25,21 @@ import { homePosture, limitsOf } from '../document.js';
 import { applyMotionCommand } from './motionCommands.js';
 import { motionMoves } from './motionPlan.js';
 import { poseInUnits } from '../numbers/poseNumbers.js';
-import { fromKernel } from '../units.js';
+import { fromKernel, toKernel } from '../units.js';
 
 /** @type {readonly ReadyId[]} */
-export const READY_PROGRAMS = ['pick-and-place', 'weld-seam', 'circle', 'lissajous', 'corners'];
+export const READY_PROGRAMS = ['pick-and-place', 'weld-seam', 'circle', 'lissajous', 'corners', 'laws', 'points'];
+
+const LAWS = /** @type {const} */ (['trapezoid', 'doubleS', 'cubic', 'quintic', 'timeOptimal']);
+
+/** The first joint of Craig's example 7.3 passes 10, 35, 25 and 10°; in parts of the farthest, seen from the first. */
+const CRAIG = [0, 1, 0.6, 0];
+
+/** Laws by which one move leads into the next, through its target or past it. */
+const LEADING = ['cubicSpline', 'parabolicBlends'];
+
+/** How far that is: rad, as there, or m; less where the joint has no room for it. */
+const SWING = { angle: toKernel('angle', 25, { length: 'm', angle: 'deg' }), length: 0.1 };
 
 /** Of the arm's length, the largest first. */
 const SIZES = [0.15, 0.1, 0.06, 0.03];
@@ -125,6 +138,13 @@ function drawing({ robot }, { T_world_middle, axes: [u, v, n], size }) {
       ...{ kind: 'joint', target: { kind: 'posture', values: homePosture(robot) } },
       ...{ speed: 50, speedUnit: '%', acceleration: 100, ending: fine },
     }),
+    /** The first joint away from home, to the side where it has more room. @param {number} share @param {string} law @param {Ending} ending @param {string} [comment] */
+    swing: (share, law, ending, comment) =>
+      /** @type {NewStep} */ ({
+        ...{ kind: 'joint', target: { kind: 'posture', values: swung(robot, share) }, law },
+        ...{ speed: 50, speedUnit: '%', acceleration: 100, ending },
+        ...(comment !== undefined && { comment }),
+      }),
     /** @param {PoseTarget} target @param {string} [comment] @returns {NewStep} */
     joint: (target, comment) => ({
       ...{ kind: 'joint', target, speed: 50, speedUnit: '%', acceleration: 100, ending: fine },
@@ -146,6 +166,17 @@ function drawing({ robot }, { T_world_middle, axes: [u, v, n], size }) {
       { kind: 'wait', seconds: 0.4 },
     ],
   };
+}
+
+/** @param {RobotDoc} robot @param {number} share  of SWING */
+function swung(robot, share) {
+  const [joint] = robot.joints;
+  const [home, ...others] = homePosture(robot);
+  const { lower, upper } = limitsOf(joint);
+  const isUp = upper - home >= home - lower;
+  const quantity = joint.type === 'prismatic' ? 'length' : 'angle';
+  const most = Math.min(fromKernel(quantity, SWING[quantity], robot.units), isUp ? upper - home : home - lower);
+  return [Number((home + (isUp ? share : -share) * most).toPrecision(DIGITS)), ...others];
 }
 
 const POINTS = 24;
@@ -201,4 +232,17 @@ const PROGRAMS = {
       home(),
     ];
   },
+  laws: ({ home, swing, fine }, words) => [
+    home(),
+    ...LAWS.flatMap((law) => [swing(1, law, fine, words.laws[law]), swing(0, law, fine)]),
+  ],
+  points: ({ home, swing, fine, round }, { through, past }) => [
+    home(),
+    ...LEADING.flatMap((law) =>
+      CRAIG.slice(1).map((share, i) => {
+        const comment = law === 'cubicSpline' ? through : past;
+        return swing(share, law, i + 2 < CRAIG.length ? round(100) : fine, i === 0 ? comment : undefined);
+      }),
+    ),
+  ],
 };

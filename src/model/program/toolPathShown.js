@@ -7,7 +7,7 @@
  * @import { AppState } from '../session.js'
  *
  * @typedef {object} ToolPathShown
- * @property {PlanSeries} series
+ * @property {Pick<PlanSeries, 'times' | 'place' | 'speed'>} series
  * @property {number} most       the greatest speed, m/s
  * @property {number} dotEvery   s
  * @property {readonly { time: number, step: number }[]} ends   where moves of the arm end

@@ -8,24 +8,25 @@
  * @import { Planned } from '../program/planned.js'
  * @import { AppState } from '../session.js'
  * @import { PlanTouch } from '../../motion/clearance/checkPlan.js'
- * @import { Workcells, Clearance } from './workcell.js'
+ * @import { Workcells } from './workcell.js'
  * @import { Chain, ChainDescription } from '../../kinematics/chain.js'
  */
 import { planMomentAt } from '../../motion/planMoment.js';
 import { planNow } from '../program/planning.js';
+import { chainOfMove } from '../program/planSeries.js';
 import { postureFromKernel } from '../compile.js';
+import { named } from './workcell.js';
 import { marginNow } from './workcellView.js';
 
 /**
- * What is to be known of the program as it is now; null where there is nothing to check, or nothing to keep clear of.
+ * What is to be known of the program as it is now; null where there is nothing to check.
  * @param {AppState} state
  * @returns {Pick<ProgramCheck, 'planned' | 'obstacles' | 'margin'> | null}
  */
 export function checkWanted(state) {
   const planned = planNow(state);
-  const { obstacles } = state.doc;
-  if (!planned || planned.plan.parts.length === 0 || obstacles.length === 0) return null;
-  return { planned, obstacles, margin: state.session.workcell.margin };
+  if (!planned || planned.plan.parts.length === 0) return null;
+  return { planned, obstacles: state.doc.obstacles, margin: state.session.workcell.margin };
 }
 
 /** Whether both have the same answer. @param {ReturnType<typeof checkWanted>} one @param {ReturnType<typeof checkWanted>} other */
@@ -53,28 +54,33 @@ const describe = ({ convention, base, tool, joints }) => ({ convention, base, to
  * @param {Workcells} cells
  * @param {Planned} planned
  */
-export const checkRequest = ({ doc, session }, chain, cells, { plan }) => ({
-  chain: describe(chain),
-  radii: cells.radii(doc),
-  obstacles: cells.obstacles(doc),
-  parts: plan.parts,
-  margin: marginNow(session.workcell, chain),
-});
+export function checkRequest({ doc, session }, chain, cells, { plan, moves }) {
+  const ofMoves = moves.map((_, index) => chainOfMove(moves, index) ?? chain);
+  const chains = [...new Set(ofMoves)];
+  return {
+    chains: chains.map(describe),
+    chainOf: ofMoves.map((one) => chains.indexOf(one)),
+    radii: cells.radii(doc),
+    obstacles: cells.obstacles(doc),
+    parts: plan.parts,
+    margin: marginNow(session.workcell, chain),
+  };
+}
 
 /**
  * The answer, by the steps of the program, in their order.
  * @param {readonly PlanTouch[]} found
  * @param {Planned} planned
- * @param {(near: PlanTouch['near']) => Clearance} named
+ * @param {Pick<Doc, 'robot' | 'obstacles'>} doc
  * @returns {StepTouch[]}
  */
-export function stepTouches(found, { steps }, named) {
+export function stepTouches(found, { steps }, doc) {
   /** @type {Map<number, StepTouch>} a called program has several moves in one step */
   const bySteps = new Map();
   for (const { move, near, ...rest } of found) {
     const step = steps[move];
     const known = bySteps.get(step);
-    if (!known || (rest.isTouch && !known.isTouch)) bySteps.set(step, { ...named(near), ...rest, step });
+    if (!known || (rest.isTouch && !known.isTouch)) bySteps.set(step, { ...named(doc, near), ...rest, step });
   }
   return [...bySteps.values()].sort((one, other) => one.step - other.step);
 }
@@ -83,17 +89,24 @@ export function stepTouches(found, { steps }, named) {
  * Where a joint move begins and ends: what a way around has to join.
  * @param {Planned} planned
  * @param {number} step   its index
- * @returns {{ from: Float64Array, to: Float64Array } | null}  null: the step is no joint move
+ * @returns {{ from: Float64Array, to: Float64Array, chain?: Chain } | null}  null: the step is no joint move. chain: with another
+ *   tool than the active one
  */
 export function endsOfMove({ plan, moves, steps }, step) {
   const at = steps.indexOf(step);
   const move = moves[at];
   if (move?.kind !== 'joint' || steps.lastIndexOf(step) !== at) return null;
-  if (at === 0) return { from: plan.start, to: move.posture };
+  const from = postureBefore(plan, moves, at);
+  return from && { from, to: move.posture, ...(move.chain && { chain: move.chain }) };
+}
+
+/** Where the arm is asked to be before a move; null where it does not get there. @param {Planned['plan']} plan @param {Planned['moves']} moves @param {number} at */
+function postureBefore(plan, moves, at) {
+  if (at === 0) return plan.start;
   const last = moves[at - 1];
-  if (last.kind === 'joint') return { from: last.posture, to: move.posture };
+  if (last.kind === 'joint') return last.posture;
   const part = plan.parts.findLast((one) => one.move === at - 1);
-  return part ? { from: planMomentAt(plan, part.end).posture, to: move.posture } : null;
+  return part ? planMomentAt(plan, part.end).posture : null;
 }
 
 /**
@@ -101,11 +114,11 @@ export function endsOfMove({ plan, moves, steps }, step) {
  * @param {AppState} state
  * @param {Chain} chain
  * @param {Workcells} cells
- * @param {{ from: Float64Array, to: Float64Array }} ends
+ * @param {NonNullable<ReturnType<typeof endsOfMove>>} ends
  * @param {{ seed: number, iterations: number }} options
  */
-export const aroundRequest = ({ doc, session }, chain, cells, { from, to }, options) => ({
-  chain: describe(chain),
+export const aroundRequest = ({ doc, session }, chain, cells, { from, to, chain: own = chain }, options) => ({
+  chain: describe(own),
   radii: Float64Array.from(cells.radii(doc)),
   obstacles: cells.obstacles(doc),
   ...{ from, to },

@@ -7,7 +7,7 @@
  * @import { Derived } from '../derived.js'
  * @import { Chain } from '../../kinematics/chain.js'
  * @import { ArmBodies } from '../../motion/clearance/armBodies.js'
- * @import { Nearest, Workcell } from '../../motion/clearance/workcell.js'
+ * @import { Nearest, NearestLinks, Workcell } from '../../motion/clearance/workcell.js'
  * @import { Obstacle } from '../../motion/clearance/obstacles.js'
  *
  * @typedef {object} Clearance  two bodies and what is between them
@@ -33,7 +33,7 @@
  */
 import { ENDS, armBodies, writeEnds } from '../../motion/clearance/armBodies.js';
 import { nearestPoints } from '../../motion/clearance/nearestPoints.js';
-import { clearance, createWorkcell, touches } from '../../motion/clearance/workcell.js';
+import { byLinks, clearance, createWorkcell, touches } from '../../motion/clearance/workcell.js';
 import { compileLinkStyles, compilePose } from '../compile.js';
 import { memo } from '../memo.js';
 import { fromKernel, toKernel } from '../units.js';
@@ -62,7 +62,7 @@ export function createWorkcells(derived, automaticRadii) {
       const doc = { robot, obstacles: listed };
       const bodies = bodiesOf(robot, chain);
       const obstacles = obstaclesOf(listed, robot.units);
-      const name = (/** @type {Nearest} */ near) => named(doc, bodies.stretches, near);
+      const name = (/** @type {Nearest} */ near) => named(doc, byLinks(bodies, near));
       const nearIn = (/** @type {Workcell} */ within) => {
         const near = clearance(within, q);
         return near && { ...name(near), points: nearestPoints(within, q, near) };
@@ -82,14 +82,14 @@ export function createWorkcells(derived, automaticRadii) {
     clearance(doc) {
       const here = cell(doc, derived.chain(doc));
       const nearest = nearestOf(here, derived.posture(doc));
-      return nearest && named(doc, here.bodies.stretches, nearest);
+      return nearest && named(doc, byLinks(here.bodies, nearest));
     },
     /** The same with all that touches, and where; the same object for as long as nothing moves. @param {Doc} doc */
     closeness: (doc) => closenessOf(doc.robot, doc.obstacles, derived.chain(doc), derived.posture(doc)),
     /** The arm as it is looked at, where it stands now. @param {Doc} doc */
     capsules: (doc) => capsulesOf(bodiesOf(doc.robot, derived.chain(doc)), derived.posture(doc)),
-    /** What the kernel found, in the document's names and units. @param {Doc} doc @param {Nearest} near */
-    named: (doc, near) => named(doc, bodiesOf(doc.robot, derived.chain(doc)).stretches, near),
+    /** Whether any two of its links are held against each other. @param {Doc} doc */
+    canTouchItself: (doc) => bodiesOf(doc.robot, derived.chain(doc)).pairs.length > 0,
     /** How thick its links are taken to be, m. @param {Doc} doc */
     radii: (doc) => linkRadii(doc.robot, automaticRadii(derived.chain(doc))),
     /** As the check has them. @param {Doc} doc */
@@ -107,12 +107,10 @@ function capsules(bodies, q) {
   );
 }
 
-/** @param {Pick<Doc, 'robot' | 'obstacles'>} doc @param {readonly { link: number }[]} stretches @param {Nearest} nearest @returns {Clearance} */
-const named = ({ robot, obstacles }, stretches, { distance, stretch, obstacle, other }) => ({
-  distance: fromKernel('length', distance, robot.units),
-  link: stretches[stretch].link,
+/** What the kernel found, in the document's names and units. @param {Pick<Doc, 'robot' | 'obstacles'>} doc @param {NearestLinks} nearest @returns {Clearance} */
+export const named = ({ robot, obstacles }, { distance, link, obstacle, other }) => ({
+  ...{ distance: fromKernel('length', distance, robot.units), link, other },
   obstacle: obstacle === null ? null : obstacles[obstacle].id,
-  other: other === null ? null : stretches[other].link,
 });
 
 /**

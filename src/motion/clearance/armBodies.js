@@ -20,7 +20,7 @@
  * @typedef {object} ArmBodies
  * @property {Chain} chain
  * @property {readonly Stretch[]} stretches
- * @property {readonly (readonly [number, number])[]} pairs  of stretches that may or may not touch each other
+ * @property {readonly (readonly [number, number])[]} pairs  of stretches that are held against each other: not neighbours
  * @property {readonly [number, number, number]} tcp  seen from the flange, m
  */
 import { requirePosture } from '../../kinematics/checks.js';
@@ -56,7 +56,7 @@ export function armBodies(chain, radii) {
   const pairs = [];
   stretches.forEach((one, i) => {
     for (let j = i + 1; j < stretches.length; j++) {
-      if (stretches[j].link === one.link) continue;
+      if (areNeighbours(one, stretches[j])) continue;
       const between = lengths.slice(kept[i] + 1, kept[j]).reduce((sum, length) => sum + length, 0);
       if (between > one.radius + stretches[j].radius) pairs.push([i, j]);
     }
@@ -69,6 +69,15 @@ export function armBodies(chain, radii) {
     tcp: Object.freeze(/** @type {const} */ ([x, y, z])),
   });
 }
+
+/**
+ * Whether at most one joint moves two stretches against each other, the second farther out. How far that one may go is what its
+ * limits say, and says it better than capsules: links are built to pass each other there. An offset's own joint does not count,
+ * since it only turns it about itself, or lengthens it.
+ * @param {Pick<Stretch, 'link' | 'kind'>} one
+ * @param {Pick<Stretch, 'link' | 'kind'>} other
+ */
+const areNeighbours = (one, other) => other.link - one.link - (other.kind === 'offset' ? 1 : 0) <= 1;
 
 /**
  * What the arm consists of, from the base on.

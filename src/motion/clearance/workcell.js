@@ -1,8 +1,8 @@
 /**
  * An arm's body among obstacles, and how near it comes to them, and to itself, in one posture.
  *
- * Neighbours are not held against each other: two stretches that the links between them are too short to keep apart always
- * touch, and are meant to. Nor is what no joint can move.
+ * Neighbours are not held against each other: two stretches that one joint alone moves against each other, or that the links
+ * between them are too short to keep apart. Nor is what no joint can move.
  *
  * @import { ArmBodies } from './armBodies.js'
  * @import { Obstacle, PointDistance } from './obstacles.js'
@@ -19,6 +19,8 @@
  * @property {number} stretch   of the arm
  * @property {number | null} obstacle   index, or null:
  * @property {number | null} other      another stretch of the arm
+ *
+ * @typedef {Omit<Nearest, 'stretch'> & { link: number }} NearestLinks  the same by links, 0-based; other: another link
  */
 import { ENDS, writeEnds } from './armBodies.js';
 import { pointDistance, surroundings } from './obstacles.js';
@@ -61,6 +63,12 @@ export function clearance(cell, q) {
   });
   return nearest;
 }
+
+/** @param {ArmBodies} bodies @param {Nearest} near @returns {NearestLinks} */
+export const byLinks = ({ stretches }, { distance, stretch, obstacle, other }) => ({
+  ...{ distance, obstacle, link: stretches[stretch].link },
+  other: other === null ? null : stretches[other].link,
+});
 
 /**
  * All that touch in a posture, whatever else is nearer.

@@ -3,9 +3,7 @@
  * shortened, and the next try looks only where a shorter one could lead. What it answers is clear all along, by proof
  * (clearWay.js); where it finds none it says only that: it never knows that there is none.
  *
- * @import { Workcell } from '../clearance/workcell.js'
- * @import { Touch } from '../clearance/clearWay.js'
- * @import { Nearest } from '../clearance/workcell.js'
+ * @import { NearestLinks, Workcell } from '../clearance/workcell.js'
  *
  * @typedef {object} FoundWay
  * @property {'found'} status
@@ -14,7 +12,7 @@
  * @property {number} iterations    spent in all
  *
  * @typedef {{ status: 'not-found', iterations: number }} NoWay
- * @typedef {{ status: 'start' | 'goal', touch: Nearest }} BlockedEnd   an end that is not clear itself
+ * @typedef {{ status: 'start' | 'goal', touch: NearestLinks }} BlockedEnd   an end that is not clear itself
  *
  * @typedef {object} PlanOptions
  * @property {number} [seed]
@@ -24,6 +22,7 @@
  */
 import { createRandom } from '../../kinematics/random.js';
 import { touchOnWay } from '../clearance/clearWay.js';
+import { byLinks } from '../clearance/workcell.js';
 import { connectTrees } from './connectTrees.js';
 import { jointSpace, lengthOf } from './jointSpace.js';
 import { shorten, withoutNeedless } from './shorten.js';
@@ -51,7 +50,7 @@ export function* planAround(cell, from, to, { seed = 1, iterations = 10_000, way
     ['goal', to],
   ])) {
     const touch = touchOnWay(cell, end, end, { margin });
-    if (touch !== null) return { status, touch };
+    if (touch !== null) return { status, touch: byLinks(cell.bodies, touch) };
   }
   const straight = [Float64Array.from(from), Float64Array.from(to)];
   const space = jointSpace(cell.bodies.chain, from, to);

@@ -64,8 +64,8 @@ export function createHandle({ scene, skin, labels, missing }) {
   let arm = null;
   /** @type {Sight | null} */
   let sight = null;
-  /** @type {Placed} */
-  let placed = { centre: [0, 0, 0], axes: [], length: 1 };
+  /** As it was drawn last. @type {Placed | null} */
+  let placed = null;
 
   function paint() {
     for (const piece of pieces) {
@@ -122,6 +122,7 @@ export function createHandle({ scene, skin, labels, missing }) {
     place(next) {
       const isRepainted = !isSame(next?.lit ?? null, now?.lit ?? null) || next?.isHeld !== now?.isHeld;
       now = next;
+      if (!now) placed = null;
       group.visible = now !== null;
       for (const label of letters) label.visible = now !== null;
       dot.visible = now !== null && now.T_world_ghost !== null; // elsewhere the tool has its own
@@ -130,9 +131,9 @@ export function createHandle({ scene, skin, labels, missing }) {
       set.follow();
     },
 
-    /** As it was drawn last; null before there was a picture. */
+    /** As it was drawn last; null before there was a picture of it. */
     get seen() {
-      return now && sight ? { placed, sight } : null;
+      return placed && sight ? { placed, sight } : null;
     },
     /** Of the arm, m. */
     get size() {

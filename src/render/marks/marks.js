@@ -1,7 +1,7 @@
 /**
  * The marks about the arm that come and go: the gauge of the joint in hand, and the target with what is missing to it.
  *
- * @import { Group, Scene } from 'three'
+ * @import { Group, Scene, Vector3 } from 'three'
  * @import { ArmParts } from '../arm/armParts.js'
  * @import { Eye } from '../eye.js'
  * @import { Excess, Gauge, GaugeText } from './gauge.js'
@@ -30,6 +30,7 @@
  * @property {() => void} clear   before the arm is taken apart
  * @property {() => void} build   with any change of what the marks are made of
  * @property {(skin: Skin) => void} setSkin
+ * @property {() => Vector3[]} [corners]  what the whole picture has to have in it beside the arm
  * @property {(eye: Eye) => void} [face]  before a picture is taken, for what has its size on the screen
  *
  * @typedef {GaugeText & { missing: (metres: number) => string }} MarkText

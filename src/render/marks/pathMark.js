@@ -5,7 +5,6 @@
  *
  * @import { MarkSet, MarkTools } from './marks.js'
  * @import { Skin } from '../skins.js'
- * @import { PlanSeries } from '../../model/program/planSeries.js'
  * @import { ToolPathShown } from '../../model/program/toolPathShown.js'
  *
  * @typedef {{ readonly path: ToolPathShown, readonly time: number } | null} PathWanted
@@ -64,7 +63,7 @@ export function createPathMark(tools) {
   });
 }
 
-/** @param {PlanSeries} series @param {number} most @param {Skin} skin @param {number} size */
+/** @param {ToolPathShown['series']} series @param {number} most @param {Skin} skin @param {number} size */
 function linesOf({ place, speed }, most, skin, size) {
   const { length } = speed;
   const points = new Float32Array(6 * (length - 1));

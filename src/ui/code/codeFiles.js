@@ -1,25 +1,24 @@
 /**
- * The files of the Code panel: those of the document, those that are written from the recorded postures, and the menu that adds,
- * opens, renames and removes.
+ * The files of the Code panel: those of the document, those that are written from the model, and the menu that adds, opens,
+ * renames and removes.
  *
  * @import { Page } from '../page.js'
+ * @import { CodeRoom } from './codeRoom.js'
  * @import { Doc, ProgramDoc } from '../../model/document.js'
  */
 import { freeCodeId } from '../../model/code/codeCommands.js';
+import { fileName } from '../../model/controller/codeSets.js';
 import { attempt } from '../page.js';
 import { withChoices } from '../parts/choices.js';
 import { h } from '../parts/dom.js';
+import { emptyState } from '../parts/emptyState.js';
 import { icon } from '../parts/icons.js';
 import { CODE } from '../words/code.js';
-
-export const EXTENSION = /** @type {const} */ ({ karel: '.kl', 'fanuc-tp': '.ls', krl: '.src' });
-
-/** @param {ProgramDoc} program */
-export const fileName = ({ id, language }) => `${id.toLowerCase()}${EXTENSION[language]}`;
 
 /** By the end of a file's name. @type {Readonly<Record<string, ProgramDoc['language']>>} */
 const LANGUAGE_OF = { kl: 'karel', ls: 'fanuc-tp', src: 'krl', dat: 'krl' };
 const LARGEST = 1_000_000;
+const LONGEST_ID = 56;
 
 /** @param {string} name  of a file, or what a person typed @returns {string} as a program can be called */
 const idFrom = (name) =>
@@ -27,7 +26,7 @@ const idFrom = (name) =>
     .replace(/\.[^.]*$/, '')
     .replace(/[^A-Za-z0-9_]+/g, '_')
     .replace(/^(?=\d|$)/, '_')
-    .slice(0, 60);
+    .slice(0, LONGEST_ID);
 
 /** Programs of controllers are often older than UTF-8. @param {ArrayBuffer} bytes */
 function textOf(bytes) {
@@ -58,15 +57,17 @@ export function createFileMenu(page, { choose, chosen, refuse, rename }) {
     announce(CODE.added(id));
   }
 
-  const input = h('input', { type: 'file', accept: '.kl,.ls,.src,.dat,.txt' }); // stands nowhere: it is only asked
+  const input = h('input', { type: 'file', multiple: true, accept: '.kl,.ls,.src,.dat,.txt' }); // stands nowhere: it is only asked
   input.addEventListener('change', async () => {
-    const [file] = input.files ?? [];
+    const files = [...(input.files ?? [])];
     input.value = '';
-    if (!file) return;
-    if (file.size > LARGEST) return refuse(CODE.tooLarge(file.name));
-    const text = textOf(await file.arrayBuffer()).replace(/\r\n?/g, '\n');
-    if (/(?![\t\n])\p{Cc}/u.test(text)) return refuse(CODE.notText(file.name));
-    add(idFrom(file.name), LANGUAGE_OF[file.name.toLowerCase().split('.').at(-1) ?? ''] ?? 'karel', () => text);
+    for (const file of files) {
+      if (file.size > LARGEST) return refuse(CODE.tooLarge(file.name));
+      const text = textOf(await file.arrayBuffer()).replace(/\r\n?/g, '\n');
+      if (/(?![\t\n])\p{Cc}/u.test(text)) return refuse(CODE.notText(file.name));
+      const end = file.name.toLowerCase().split('.').at(-1) ?? '';
+      add(`${idFrom(file.name)}${end === 'dat' ? '_dat' : ''}`, LANGUAGE_OF[end] ?? 'karel', () => text);
+    }
   });
 
   const button = h(
@@ -76,8 +77,8 @@ export function createFileMenu(page, { choose, chosen, refuse, rename }) {
   );
   const news = [
     { title: CODE.newKarel, detail: CODE.newKarelDetail, run: () => add('main', 'karel', CODE.template) },
-    { title: CODE.newTp, detail: CODE.onlyEdited, run: () => add('tp_main', 'fanuc-tp', () => '') },
-    { title: CODE.newKrl, detail: CODE.onlyEdited, run: () => add('krl_main', 'krl', () => '') },
+    { title: CODE.newTp, detail: CODE.newTpDetail, run: () => add('tp_main', 'fanuc-tp', CODE.tpTemplate) },
+    { title: CODE.newKrl, detail: CODE.krlDetail, run: () => add('krl_main', 'krl', CODE.krlTemplate) },
   ];
   const menu = withChoices(button, () => {
     const id = chosen();
@@ -105,6 +106,7 @@ export function createFileMenu(page, { choose, chosen, refuse, rename }) {
   return {
     element: menu,
     addKarel: news[0].run,
+    addTp: news[1].run,
     openFile: () => input.click(),
     add,
   };
@@ -130,3 +132,52 @@ export const fileTabs = (files, chosen) =>
 /** @param {Doc} doc */
 export const ownFiles = ({ programs }) =>
   programs.map((program) => ({ key: `own ${program.id}`, name: fileName(program) }));
+
+/** @param {HTMLElement | null} menu  where a file was refused */
+export const codeEmpty = (menu) =>
+  emptyState(
+    CODE.empty,
+    CODE.emptyDetail,
+    h(
+      'div',
+      { class: 'row-flex empty-ways' },
+      h('button', { type: 'button', class: 'btn btn-primary', 'data-action': 'new' }, CODE.newKarel),
+      h('button', { type: 'button', class: 'btn btn-outline', 'data-action': 'new-tp' }, CODE.newTp),
+      h('button', { type: 'button', class: 'btn btn-outline', 'data-action': 'program' }, CODE.toProgram),
+      h('button', { type: 'button', class: 'btn btn-outline', 'data-action': 'open' }, CODE.openFile),
+      menu,
+    ),
+  );
+
+/**
+ * @param {Page} page
+ * @param {ProgramDoc} own
+ * @param {{ room: CodeRoom | null, choose: (key: string) => void, refuse: (reason: string) => void }} acts
+ */
+export function nameForm(page, own, { room, choose, refuse }) {
+  const input = h('input', {
+    type: 'text',
+    class: 'form-control',
+    value: own.id,
+    'aria-label': CODE.nameLabel,
+    spellcheck: 'false',
+  });
+  const form = h(
+    'form',
+    { class: 'code-answer' },
+    input,
+    h('button', { type: 'submit', class: 'btn btn-outline' }, CODE.keepName),
+  );
+  form.addEventListener('submit', (event) => {
+    event.preventDefault();
+    room?.commit();
+    const to = input.value.trim();
+    const reason = attempt(page, { type: 'rename-code', id: own.id, to });
+    if (reason) return refuse(reason);
+    choose(`own ${to}`);
+  });
+  form.addEventListener('keydown', ({ key }) => {
+    if (key === 'Escape') choose(`own ${own.id}`);
+  });
+  return form;
+}

@@ -1,28 +1,29 @@
 /**
- * Controller code: the programs of the document, edited and run (codeRoom.js), and what is written from the recorded postures,
- * shown, copied, saved.
+ * Controller code: the programs of the document, edited and run (codeRoom.js), and what is written from the model
+ * (codeWriter.js), each verified before it is saved.
  *
- * @import { IconName } from '../parts/icons.js'
  * @import { Page } from '../page.js'
  * @import { CodeRoom } from './codeRoom.js'
- * @import { Doc } from '../../model/document.js'
- * @import { controllerCode } from '../../model/controller/controllerCode.js'
+ * @import { CodeFormat } from '../../model/controller/writeCode.js'
+ * @import { CodeFile } from '../../karel/write/neutral.js'
  */
 import $ from 'jquery/slim';
-import { memo } from '../../model/memo.js';
+import { fileName } from '../../model/controller/codeSets.js';
 import { together } from '../../model/views.js';
 import '../css/code.css';
+import '../css/writeCode.css';
 import { copyText } from '../parts/clipboard.js';
 import { fill, h, keepFocus } from '../parts/dom.js';
-import { download } from '../parts/download.js';
-import { emptyState } from '../parts/emptyState.js';
-import { icon } from '../parts/icons.js';
-import { attempt, openPanel } from '../page.js';
+import { fixed } from '../parts/format.js';
+import { openPanel } from '../page.js';
 import { TEXT } from '../strings.js';
 import { CODE } from '../words/code.js';
-import { createFileMenu, fileName, fileTabs, ownFiles } from './codeFiles.js';
-
-/** @typedef {ReturnType<typeof controllerCode>} Written */
+import { WRITE } from '../words/writeCode.js';
+import { codeEmpty, createFileMenu, fileTabs, nameForm, ownFiles } from './codeFiles.js';
+import { createCodeWriter } from './codeWriter.js';
+import { ownLine } from './ownLine.js';
+import { createVerifyPart } from './verifyPart.js';
+import { codeLines, optionsForm, writtenHead, writtenNotes } from './writtenView.js';
 
 /**
  * @param {Page} page
@@ -32,31 +33,26 @@ import { createFileMenu, fileName, fileTabs, ownFiles } from './codeFiles.js';
  * @param {() => string} given.today  ISO 8601
  */
 export function createCodePanel(page, host, { version, today }) {
-  const { store, addView, announce, clock, messages } = page;
-  /** @type {typeof import('../../model/controller/controllerCode.js') | null} */
-  let writer = null;
+  const { store, addView, announce, messages } = page;
+  const redraw = () => keepFocus(host, '[data-action]', draw);
+  const writer = createCodeWriter(page, { version, today, onChange: redraw });
   /** @type {CodeRoom | null} */
   let room = null;
   /** Of the file that is shown. @type {string | null} */
   let chosen = null;
   let isRenaming = false;
+  let areOptionsOpen = false;
   let refusal = '';
+  /** To be gone to in what is shown. @type {number | null} */
+  let line = null;
 
   const top = h('div', { class: 'code-top' });
   const listing = h('div', { class: 'code-listing' });
   const roomHost = h('div', { class: 'code-room', hidden: true });
-  fill(host, top, listing, roomHost);
-
-  const write = memo((/** @type {Doc['robot']} */ robot, /** @type {Doc['postures']} */ postures) =>
-    /** @type {NonNullable<typeof writer>} */ (writer).controllerCode(
-      { ...store.state.doc, robot, postures },
-      { version, generatedAt: today() },
-    ),
-  );
-  /** @param {Doc} doc @returns {Written | null} null: there is nothing to write, or not yet what writes it */
-  const writtenOf = (doc) => (writer && doc.postures.length > 1 ? write(doc.robot, doc.postures) : null);
-
   const ownChosen = () => store.state.doc.programs.find(({ id }) => `own ${id}` === chosen) ?? null;
+  const found = createVerifyPart(page, { writer, ownChosen, redraw, version, today });
+  fill(host, top, listing, roomHost, found.element);
+  const writtenFiles = () => found.filesSaved() ?? writer.written()?.files ?? [];
   const menu = createFileMenu(page, {
     choose: (id) => choose(`own ${id}`),
     chosen: () => ownChosen()?.id ?? null,
@@ -79,86 +75,92 @@ export function createCodePanel(page, host, { version, today }) {
     redraw();
   }
 
-  /** @param {Doc} doc */
-  function draw(doc) {
-    const written = writtenOf(doc);
-    const files = [
-      ...ownFiles(doc),
-      ...(written?.files ?? []).map(({ name }) => ({ key: `written ${name}`, name, hint: CODE.written })),
-    ];
+  function draw() {
+    const { doc } = store.state;
+    const hasSource = writer.source() !== null;
+    const tabs = writtenFiles().map(({ name }, i) => ({ key: `written ${i}`, name, hint: WRITE.written }));
+    if (hasSource && tabs.length === 0)
+      tabs.push({ key: 'written 0', name: WRITE.formats[writer.format()], hint: WRITE.written });
+    const files = [...ownFiles(doc), ...tabs];
     if (!files.some(({ key }) => key === chosen)) [chosen, isRenaming] = [files[0]?.key ?? null, false];
-    const isEmpty =
-      files.length === 0 && (!written || written.issues.length === 0) && (doc.postures.length < 2 || writer !== null);
+    const own = ownChosen();
     fill(
       top,
-      !isEmpty &&
+      files.length > 0 &&
         h(
           'div',
           { class: 'files', role: 'group', 'aria-label': CODE.files },
           fileTabs(files, chosen),
           h('span', { class: 'grow' }),
-          h(
-            'div',
-            { class: 'files-ways' },
-            ownChosen() && actionButton('save', 'download', CODE.saveOne),
-            ownChosen() && actionButton('copy', 'copy', CODE.copy),
-            menu.element,
-          ),
+          h('div', { class: 'files-ways' }, menu.element),
         ),
-      isRenaming && nameForm(),
+      isRenaming && own && nameForm(page, own, { room, choose, refuse }),
       refusal && h('p', { class: 'code-refusal', role: 'alert' }, refusal),
+      own && ownLine(doc, own),
     );
     drawOwn();
-    const file = written?.files.find(({ name }) => `written ${name}` === chosen);
-    fill(listing, isEmpty ? empty() : !ownChosen() && written && drawWritten(written, file));
+    drawListing(files.length === 0);
+    found.draw();
   }
 
-  const empty = () =>
-    emptyState(
-      CODE.empty,
-      CODE.emptyDetail,
-      h(
-        'div',
-        { class: 'row-flex empty-ways' },
-        h('button', { type: 'button', class: 'btn btn-primary', 'data-action': 'new' }, CODE.newKarel),
-        h('button', { type: 'button', class: 'btn btn-outline', 'data-action': 'program' }, CODE.toProgram),
-        h('button', { type: 'button', class: 'btn btn-outline', 'data-action': 'open' }, CODE.openFile),
-        refusal && menu.element,
-      ),
-    );
+  /** @param {string} reason */
+  function refuse(reason) {
+    refusal = reason;
+    redraw();
+  }
 
-  function nameForm() {
-    const own = ownChosen();
-    if (!own) return null;
-    const input = h('input', {
-      type: 'text',
-      class: 'form-control',
-      value: own.id,
-      'aria-label': CODE.nameLabel,
-      spellcheck: 'false',
-    });
-    const form = h(
-      'form',
-      { class: 'code-answer' },
-      input,
-      h('button', { type: 'submit', class: 'btn btn-outline' }, CODE.keepName),
+  /** A long text is made once. @type {{ file: CodeFile, element: HTMLElement } | null} */
+  let listed = null;
+  /** @param {CodeFile} file */
+  function textOf(file) {
+    if (listed?.file !== file) {
+      const label = CODE.text(file.name);
+      const element = h(
+        'pre',
+        { class: 'code', tabindex: 0, role: 'region', 'aria-label': label },
+        codeLines(file.text),
+      );
+      listed = { file, element };
+    }
+    return listed.element;
+  }
+
+  /** The options' form stays while somebody types in it. @type {{ key: string, element: HTMLElement } | null} */
+  let form = null;
+  /** @param {boolean} isEmpty */
+  function drawListing(isEmpty) {
+    const { doc } = store.state;
+    if (ownChosen()) return fill(listing);
+    if (isEmpty) return fill(listing, codeEmpty(refusal ? menu.element : null));
+    const written = writer.written();
+    const progress = writer.progress();
+    const key = JSON.stringify([writer.format(), writer.source(), writer.options(), written?.files[0]?.name]);
+    if (!areOptionsOpen) form = null;
+    else if (form?.key !== key) form = { key, element: optionsForm(doc, writer, announce) };
+    const areNotesOpen = listing.querySelector('.write-notes')?.hasAttribute('open') ?? false;
+    const { scrollTop } = listing.querySelector('pre') ?? { scrollTop: 0 };
+    const file = writtenFiles()[Number(chosen?.split(' ')[1])];
+    fill(
+      listing,
+      writtenHead(doc, writer, areOptionsOpen),
+      form?.element,
+      written && writtenNotes(written, areNotesOpen),
+      progress !== null &&
+        !file &&
+        h('p', { class: 'verify-note', role: 'status' }, WRITE.isWriting(fixed(100 * progress, 0))),
+      file ? textOf(file) : null,
     );
-    form.addEventListener('submit', (event) => {
-      event.preventDefault();
-      room?.commit();
-      const to = input.value.trim();
-      const reason = attempt(page, { type: 'rename-code', id: own.id, to });
-      if (reason) {
-        refusal = reason;
-        input.setAttribute('aria-invalid', 'true');
-        return void redraw();
-      }
-      choose(`own ${to}`);
-    });
-    form.addEventListener('keydown', ({ key }) => {
-      if (key === 'Escape') choose(`own ${own.id}`);
-    });
-    return form;
+    const text = listing.querySelector('pre');
+    if (text) text.scrollTop = scrollTop;
+    for (const old of text?.querySelectorAll('.is-at') ?? []) {
+      old.classList.remove('is-at');
+      old.removeAttribute('aria-current');
+    }
+    const at = line !== null && text?.children[line - 1];
+    if (!at) return;
+    at.classList.add('is-at');
+    at.setAttribute('aria-current', 'true');
+    at.scrollIntoView({ block: 'nearest' });
   }
 
   /** The program of the document that is chosen, in its room. */
@@ -166,6 +168,10 @@ export function createCodePanel(page, host, { version, today }) {
     const own = ownChosen();
     if (own && !room) loadRoom();
     room?.show(own);
+    if (own && room && line !== null) {
+      room.goTo(line);
+      line = null;
+    }
   }
 
   let isLoading = false;
@@ -174,7 +180,7 @@ export function createCodePanel(page, host, { version, today }) {
     isLoading = true;
     try {
       const { createCodeRoom } = await import('./codeRoom.js');
-      room = createCodeRoom(page, roomHost);
+      room = createCodeRoom(page, roomHost, (id) => choose(`own ${id}`));
       redraw();
     } catch (error) {
       messages.fault(error);
@@ -182,104 +188,80 @@ export function createCodePanel(page, host, { version, today }) {
     isLoading = false;
   }
 
-  /** @param {Written} written @param {Written['files'][number] | undefined} file */
-  const drawWritten = (written, file) => [
-    h(
-      'div',
-      { class: 'table-head' },
-      h('h2', {}, CODE.title),
-      h('span', { class: 'grow' }),
-      file && actionButton('edit', 'codeSlash', CODE.edit, 'btn-outline'),
-      file && actionButton('save', 'download', CODE.save, 'btn-primary'),
-      file && actionButton('copy', 'copy', CODE.copy),
-    ),
-    notes(written.issues.map(({ message }) => message)),
-    file &&
-      h('pre', { class: 'code', tabindex: 0, role: 'region', 'aria-label': CODE.text(file.name) }, lines(file.text)),
-  ];
-
   /** The file that is shown, as a file. */
   function fileShown() {
     room?.commit();
     const own = ownChosen();
-    if (own) return { name: fileName(own), text: own.text };
-    return writtenOf(store.state.doc)?.files.find(({ name }) => `written ${name}` === chosen);
+    return own ? { name: fileName(own), text: own.text } : writtenFiles()[Number(chosen?.split(' ')[1])];
+  }
+
+  /** @param {string} file @param {number} at */
+  function goTo(file, at) {
+    const { programs } = store.state.doc;
+    line = at;
+    if (ownChosen()) return choose(`own ${programs.find((program) => fileName(program) === file)?.id}`);
+    choose(`written ${writtenFiles().findIndex(({ name }) => name === file)}`);
+    if (line === null) return;
+    const text = listing.querySelector('pre');
+    text?.focus({ preventScroll: true });
   }
 
   $(host)
     .on('click', '[data-action=program]', () => openPanel(page, 'program'))
     .on('click', '[data-action=new]', () => menu.addKarel())
+    .on('click', '[data-action=new-tp]', () => menu.addTp())
     .on('click', '[data-action=open]', () => menu.openFile())
-    .on('click', '[data-file]', ({ currentTarget }) => choose(currentTarget.dataset.file))
+    .on('click', '[data-file]', ({ currentTarget }) => {
+      line = null;
+      choose(currentTarget.dataset.file);
+    })
+    .on('click', '[data-action=options]', () => {
+      areOptionsOpen = !areOptionsOpen;
+      redraw();
+    })
+    .on('change', '[data-choice]', ({ currentTarget }) => {
+      const { value, dataset } = currentTarget;
+      if (dataset.choice === 'format') writer.setFormat(/** @type {CodeFormat} */ (value));
+      else if (dataset.choice === 'source') writer.setSource(value);
+      else writer.setOptions({ userFrame: value === 'own' ? undefined : value.replace(/^user /, '') });
+      redraw();
+    })
+    .on('submit', '.write-options', (event) => event.preventDefault())
+    .on('click', '[data-action=verify]', () => {
+      room?.commit();
+      line = null;
+      found.verify();
+    })
+    .on('click', '[data-at-line]', ({ currentTarget }) =>
+      goTo(currentTarget.dataset.atFile, Number(currentTarget.dataset.atLine)),
+    )
     .on('click', '[data-action=edit]', () => {
-      for (const { name, text } of writtenOf(store.state.doc)?.files.toReversed() ?? []) {
-        const isTp = name.toLowerCase().endsWith('.ls');
-        menu.add(name.replace(/\.[^.]*$/, '').toLowerCase(), isTp ? 'fanuc-tp' : 'karel', () => text);
-      }
+      for (const { name, language, text } of writtenFiles().toReversed())
+        menu.add(
+          name.replace(/\.(\w+)$/, (_, end) => (end === 'dat' ? '_dat' : '')),
+          language,
+          () => text.replaceAll('\r\n', '\n'),
+        );
     })
     .on('click', '[data-action=copy]', async () => {
       const file = fileShown();
       if (file) announce((await copyText(file.text)) ? CODE.copied(file.name) : TEXT.pose.copyFailed);
-    })
-    .on('click', '[data-action=save]', () => {
-      const own = ownChosen() && fileShown();
-      const files = own ? [own] : (writtenOf(store.state.doc)?.files ?? []);
-      for (const { name, text } of files) download(name, text, 'text/plain', clock);
-      announce(CODE.saved(files.map(({ name }) => name).join(', ')));
     });
 
-  const redraw = () => keepFocus(host, '[data-action]', () => draw(store.state.doc));
-  /** @type {Promise<void> | null} */
-  let loading = null;
-  const load = () =>
-    import('../../model/controller/controllerCode.js')
-      .then((module) => {
-        writer = module;
-        redraw();
-      })
-      .catch((error) => {
-        loading = null;
-        messages.fault(error);
-      });
-
+  // a point of the path in the scene was pressed
   addView(
-    together(({ doc, session }) => [session.tab === 'code', doc.robot, doc.postures, doc.programs]),
-    ([isOpen, , postures]) => {
+    ({ session }) => session.code.asked,
+    (asked) => asked && ownChosen() && room?.goTo(asked.line),
+  );
+  addView(
+    together(({ doc, session, gesture }) => [
+      ...[session.tab === 'code', gesture === null, doc.robot, doc.postures, doc.programs],
+      ...[doc.motionPrograms, doc.targets, doc.frames, session.playback?.program],
+    ]),
+    ([isOpen]) => {
       if (!isOpen) return;
+      writer.update();
       redraw();
-      if (!writer && postures.length > 1) loading ??= load();
     },
   );
 }
-
-/** @param {string} action @param {IconName} name @param {string} label @param {string} [look] */
-const actionButton = (action, name, label, look) =>
-  look
-    ? h('button', { type: 'button', class: `btn ${look}`, 'data-action': action }, icon(name), label)
-    : h(
-        'button',
-        { type: 'button', class: 'btn btn-icon', 'data-action': action, 'aria-label': label, title: label },
-        icon(name),
-      );
-
-/** @param {string[]} messages */
-const notes = (messages) =>
-  messages.length > 0 &&
-  h(
-    'div',
-    { class: 'cellbar ask' },
-    icon('exclamation'),
-    h(
-      'div',
-      {},
-      h('b', {}, CODE.notes),
-      messages.map((message) => h('p', {}, message)),
-    ),
-  );
-
-/** Each line an element of its own, so that the stylesheet can number them. @param {string} text */
-const lines = (text) =>
-  text
-    .replace(/\n$/, '')
-    .split('\n')
-    .map((line) => h('span', { class: 'code-line' }, `${line}\n`));

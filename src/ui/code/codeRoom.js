@@ -1,60 +1,65 @@
 /**
- * One program of the document, open: its text in the editor, what is wrong with it, and running it. Fetched when the first
- * program is opened.
+ * One program of the document, open: its text in the editor, what is wrong with it, where it would take the arm, and running it.
+ * Fetched when the first program is opened.
  *
  * @import { Page } from '../page.js'
  * @import { ProgramDoc } from '../../model/document.js'
  * @import { Problem } from '../../model/code/codeProblems.js'
- * @import { Place } from '../../model/code/codeRun.js'
- * @import { IconName } from '../parts/icons.js'
  */
-import $ from 'jquery/slim';
-import intoIcon from 'bootstrap-icons/icons/box-arrow-in-down.svg?raw';
-import outIcon from 'bootstrap-icons/icons/box-arrow-up.svg?raw';
-import overIcon from 'bootstrap-icons/icons/arrow-return-right.svg?raw';
-import stopIcon from 'bootstrap-icons/icons/stop-fill.svg?raw';
-import { namesOf, problemsOf } from '../../model/code/codeProblems.js';
+import { formatted } from '../../model/code/codeFormat.js';
+import { namesFor } from '../../model/code/codeNames.js';
+import { problemsOf } from '../../model/code/codeProblems.js';
+import { together } from '../../model/views.js';
 import '../css/codeEditor.css';
 import '../css/codeRun.css';
 import { attempt, newGesture } from '../page.js';
 import { fill, h } from '../parts/dom.js';
-import { icon, iconOf } from '../parts/icons.js';
 import { CODE } from '../words/code.js';
+import { createCodeControls } from './codeControls.js';
 import { createEditor } from './editor.js';
+import { createPreviewer } from './previewer.js';
 import { createRunControl } from './runControl.js';
 import { createRunView } from './runView.js';
 
 /** s after the last key: the document has the text, and it is looked at. */
 const IDLE = 0.4;
 
-/** @param {Page} page @param {HTMLElement} host */
-export function createCodeRoom(page, host) {
+/** @param {Page} page @param {HTMLElement} host @param {(id: string) => void} openProgram  another one is to be shown */
+export function createCodeRoom(page, host, openProgram) {
   const { store, clock } = page;
   /** @type {ProgramDoc | null} as the document has it */
   let open = null;
-  /** @type {readonly Problem[]} */
+  /** @type {readonly Problem[]} of the text */
+  let found = [];
+  /** @type {readonly Problem[]} and of where it leads */
   let problems = [];
   /** @type {Map<string, readonly number[]>} by program: lines */
   const stops = new Map();
   let gesture = '';
   let line = 1;
+  /** @type {number | null} under the pointer */
+  let pointed = null;
   /** @type {(() => void) | null} */
   let cancelIdle = null;
 
-  const status = h('span', { class: 'code-status' });
-  const controls = h('div', { class: 'code-controls', role: 'toolbar', 'aria-label': CODE.controls }, status);
   const editorHost = h('div', { class: 'code-editor' });
   const problemText = h('p', { class: 'code-problem', role: 'status' });
   const nextProblem = h('button', { type: 'button', class: 'btn btn-outline', hidden: true }, CODE.goToProblem);
   const problemLine = h('div', { class: 'code-problems' }, problemText, nextProblem);
   const runHost = h('div', { class: 'code-run', hidden: true });
-  fill(host, controls, editorHost, problemLine, runHost, h('p', { class: 'code-limits' }, CODE.limits));
+  const limits = h('p', { class: 'code-limits' }, CODE.limits);
 
   const control = createRunControl(page, {
     onChange: () => drawRun(),
-    isBreakpoint: ({ program, line: at }) => Boolean(open && (stops.get(idOf(program)) ?? []).includes(at)),
+    isBreakpoint: ({ id, line: at }) => (stops.get(id) ?? []).includes(at),
   });
+  const controls = createCodeControls(control, press);
+  fill(host, controls.element, editorHost, problemLine, runHost, limits);
   const runView = createRunView(runHost, control);
+  const previewer = createPreviewer(page, () => {
+    showProblems();
+    showGhost();
+  });
   const editor = createEditor(editorHost, {
     onText: typed,
     onLeave: commit,
@@ -62,23 +67,24 @@ export function createCodeRoom(page, host) {
       if (open) stops.set(open.id, lines);
       page.announce(lines.includes(at) ? CODE.stopSet(at) : CODE.stopCleared(at));
     },
-    onLine: (at) => {
+    onLine(at) {
       line = at;
       drawProblems();
+      showGhost();
     },
-    names: () => (open?.language === 'karel' ? namesOf(store.state.doc.programs, editor.text()) : []),
+    onPoint(at) {
+      pointed = at;
+      showGhost();
+    },
+    names: () => (open ? namesFor(store.state.doc.programs, { ...open, text: editor.text() }) : []),
   });
 
-  /** The document's name for a program: what stands behind PROGRAM may be another. @param {string} name */
-  function idOf(name) {
-    const upper = name.toUpperCase();
-    const byText = store.state.doc.programs.find(({ text }) =>
-      new RegExp(`^\\s*PROGRAM\\s+${upper}\\b`, 'im').test(text),
-    );
-    return byText?.id ?? open?.id ?? '';
+  function showGhost() {
+    previewer.ghost(control.mode() === 'running' ? null : (pointed ?? (editor.hasFocus() ? line : null)));
   }
 
   function typed() {
+    previewer.ghost(null);
     cancelIdle?.();
     cancelIdle = clock.after(IDLE, () => {
       save();
@@ -101,11 +107,23 @@ export function createCodeRoom(page, host) {
     save();
     if (gesture && store.state.gesture?.id === gesture) store.dispatch({ type: 'end-gesture' });
     gesture = '';
+    showGhost();
   }
 
   function check() {
     if (!open) return;
-    problems = problemsOf(store.state.doc.programs, { ...open, text: editor.text() });
+    found = problemsOf(store.state.doc.programs, { ...open, text: editor.text() });
+    showProblems();
+    const isSound = !found.some(({ severity }) => severity === 'error');
+    previewer.ask(isSound ? open.id : null);
+  }
+
+  function showProblems() {
+    const led = previewer.faults().map(({ line: at, message }) => ({
+      ...editor.placeOf(at),
+      ...{ line: at, severity: /** @type {const} */ ('warning'), message: CODE.leadsNowhere(message) },
+    }));
+    problems = [...found, ...led].sort((a, b) => a.from - b.from);
     editor.showProblems(problems);
     drawProblems();
   }
@@ -119,11 +137,10 @@ export function createCodeRoom(page, host) {
   function drawProblems() {
     nextProblem.hidden = problems.length === 0;
     if (!open) return;
-    if (open.language !== 'karel') return say(CODE.notChecked);
     const here = problems.find((one) => one.line === line);
     if (here) return say(`${CODE.line(here.line)}: ${here.message}`, here.severity === 'error');
     const errors = problems.filter(({ severity }) => severity === 'error').length;
-    if (problems.length === 0) return say(CODE.noProblems);
+    if (problems.length === 0) return say(open.language === 'krl' ? CODE.noProblemsKrl : CODE.noProblems);
     const [first] = problems;
     return say(
       `${CODE.problems(errors, problems.length - errors)}. ${CODE.line(first.line)}: ${first.message}`,
@@ -136,67 +153,59 @@ export function createCodeRoom(page, host) {
     if (next) editor.goTo(next.line);
   });
 
-  /** @param {string} action @param {string} label @param {SVGElement} drawing @param {boolean} [isOff] @param {string} [look] */
-  const button = (action, label, drawing, isOff = false, look = 'btn-icon') =>
-    h(
-      'button',
-      {
-        ...{ type: 'button', class: `btn ${look}`, 'data-run': action, 'aria-label': label, title: label },
-        'aria-disabled': isOff ? 'true' : null,
-      },
-      drawing,
-    );
-
-  function drawControls() {
-    const mode = control.mode();
-    const isRunning = mode === 'running';
-    const isOff = mode === 'running' || mode === 'asks';
-    const had = document.activeElement instanceof HTMLElement ? document.activeElement.dataset.run : undefined;
-    const hadFocus = controls.contains(document.activeElement);
-    fill(
-      controls,
-      isRunning
-        ? button('pause', CODE.pause, icon('pause'), false, 'btn-primary btn-icon')
-        : button('run', CODE.run, icon('play'), mode === 'asks', 'btn-primary btn-icon'),
-      button('back', CODE.back, icon('skipBack'), !control.canGoBack()),
-      button('into', CODE.into, iconOf(intoIcon), isOff),
-      button('over', CODE.over, iconOf(overIcon), isOff),
-      button('out', CODE.out, iconOf(outIcon), isOff || mode !== 'paused'),
-      button('stop', CODE.stop, iconOf(stopIcon), mode === 'idle'),
-      status,
-    );
-    if (!hadFocus) return;
-    const again = controls.querySelector(
-      `[data-run=${had === 'run' && isRunning ? 'pause' : had === 'pause' && !isRunning ? 'run' : had}]`,
-    );
-    if (again instanceof HTMLElement) again.focus();
+  function format() {
+    if (!open) return;
+    commit();
+    const text = formatted({ language: open.language, text: editor.text() });
+    const isOther = text !== editor.text();
+    if (isOther) editor.rewrite(text);
+    commit();
+    check();
+    page.announce(isOther ? CODE.formatted : CODE.inOrder);
   }
 
-  let drawn = '';
+  let wasRunning = false;
   function drawRun() {
-    const key = `${control.mode()} ${control.canGoBack()}`;
-    if (key !== drawn) drawControls();
-    drawn = key;
-    if (status.textContent !== control.status()) status.textContent = control.status();
+    controls.draw();
+    const isRunning = control.mode() === 'running';
     const place = control.place();
-    const isHere = place !== null && open !== null && idOf(place.program) === open.id;
-    editor.showNext(isHere && control.mode() !== 'running' ? /** @type {Place} */ (place).line : null);
-    runView.draw(editor.text());
+    // what stops in another program is shown there
+    if (wasRunning && !isRunning && place && open && place.id !== open.id && place.id !== '') openProgram(place.id);
+    wasRunning = isRunning;
+    const here =
+      place &&
+      control
+        .run()
+        ?.stack()
+        .findLast(({ id }) => id === open?.id);
+    editor.showNext(here && (!isRunning || control.isHolding()) ? here.line : null);
+    if (open) runView.draw(store.state.doc.programs, open);
+    limits.textContent = open?.language === 'krl' ? CODE.limitsKrl : CODE.limits;
     if (control.mode() === 'asks') runView.focusAnswer();
+    if (isRunning) showGhost();
   }
 
-  $(controls).on('click', '[data-run]', ({ currentTarget }) => {
-    if (currentTarget.getAttribute('aria-disabled') === 'true' || !open) return;
-    const { run: action } = currentTarget.dataset;
+  /** @param {string} action */
+  function press(action) {
+    if (!open) return;
+    if (action === 'format') return format();
     if (action === 'pause') return control.pause();
     if (action === 'stop') return control.stop();
     if (action === 'back') return control.back();
     commit();
-    check();
+    if (control.place() === null) check();
     const { id } = open;
     const faults = control.go(/** @type {'run'} */ (action), () => [store.state.doc.programs, id]);
     if (faults.length > 0) editor.goTo(faults[0].line);
-  });
+  }
+
+  page.addView(
+    together(({ doc, session }) => [doc.robot, doc.frames, doc.activeTool, doc.activeUser, session.tab === 'code']),
+    ([, , , , isShown]) => {
+      if (!isShown) return previewer.ghost(null);
+      if (open) check();
+    },
+  );
 
   return {
     /** @param {ProgramDoc | null} program  null: another thing is shown */
@@ -205,6 +214,7 @@ export function createCodeRoom(page, host) {
         commit();
         open = null;
         host.hidden = true;
+        previewer.ask(null);
         return;
       }
       host.hidden = false;
@@ -213,9 +223,7 @@ export function createCodeRoom(page, host) {
         open = program;
         line = 1;
         editor.open(program, stops.get(program.id) ?? []);
-        controls.hidden = program.language !== 'karel';
         check();
-        drawn = '';
         drawRun();
       } else if (open.text !== program.text) {
         open = program;
@@ -226,6 +234,7 @@ export function createCodeRoom(page, host) {
     },
     /** What is in the editor is in the document. */
     commit,
+    goTo: editor.goTo,
   };
 }
 

@@ -5,6 +5,7 @@
  * @import { ProgramDoc } from '../../model/document.js'
  */
 import { StreamLanguage } from '@codemirror/language';
+import { tags } from '@lezer/highlight';
 import { isKnownRoutine } from '../../karel/check/builtins.js';
 import { isBuiltin, isReserved, isTypeWord } from '../../karel/words.js';
 
@@ -17,8 +18,9 @@ const KRL_MOVES = /^(PTP|LIN|CIRC|SPTP|SLIN|SCIRC|PTP_REL|LIN_REL|C_PTP|C_DIS|C_
 const KRL_TYPES = /^(INT|REAL|BOOL|CHAR|FRAME|POS|E6POS|AXIS|E6AXIS|FDAT|LDAT|PDAT)$/i;
 
 const TP_WORDS =
-  /^(IF|THEN|ELSE|ENDIF|SELECT|FOR|ENDFOR|TO|DOWNTO|JMP|LBL|CALL|RUN|END|WAIT|ABORT|PAUSE|SKIP|OFFSET|CONDITION|UFRAME_NUM|UTOOL_NUM|UFRAME|UTOOL|TIMEOUT|AND|OR|MONITOR|MESSAGE|OVERRIDE|Offset|Skip|FINE|CNT\d*|ACC\d*)$/;
-const TP_DATA = /^(R|PR|DI|DO|RI|RO|GI|GO|AI|AO|UI|UO|SI|SO|F|M|SR|AR|P|VR|TIMER)$/;
+  /^(IF|THEN|ELSE|ENDIF|SELECT|FOR|ENDFOR|TO|DOWNTO|JMP|LBL|CALL|RUN|END|WAIT|ABORT|PAUSE|SKIP|OFFSET|TOOL_OFFSET|CONDITION|UFRAME_NUM|UTOOL_NUM|UFRAME|UTOOL|TIMEOUT|AND|OR|DIV|MOD|MONITOR|MESSAGE|OVERRIDE|PAYLOAD|UALM|Offset|Tool_Offset|Skip|INC|Wjnt|FINE|CNT\d*|ACC\d*)$/;
+const TP_DATA = /^(R|PR|DI|DO|RI|RO|GI|GO|AI|AO|UI|UO|SI|SO|WI|WO|F|M|SR|AR|P|VR|TIMER)$/;
+const TP_VALUES = /^(ON|OFF|LPOS|JPOS|PULSE|START|STOP|RESET|mm|sec|deg|cm|min|inch)$/;
 
 /** @param {string} word */
 function karelWord(word) {
@@ -31,6 +33,7 @@ function karelWord(word) {
 function tpWord(word) {
   if (TP_WORDS.test(word)) return 'keyword';
   if (/^[JLCA]$/.test(word)) return 'keyword';
+  if (TP_VALUES.test(word)) return 'typeName';
   return TP_DATA.test(word) ? 'variableName.standard' : 'variableName';
 }
 
@@ -42,7 +45,7 @@ function krlWord(word) {
 }
 
 /**
- * @param {[RegExp, string][]} first  what comes before words and numbers
+ * @param {[RegExp, string, boolean?][]} first  what comes before words and numbers; true: at the beginning of a line only
  * @param {(word: string) => string} ofWord
  * @param {RegExp} word
  * @returns {StreamParser<null>}
@@ -51,7 +54,8 @@ const simple = (first, ofWord, word) => ({
   /** @param {StringStream} stream */
   token(stream) {
     if (stream.eatSpace()) return null;
-    for (const [pattern, style] of first) if (stream.match(pattern)) return style;
+    const isFirst = stream.column() === stream.indentation();
+    for (const [pattern, style, atFirst] of first) if ((!atFirst || isFirst) && stream.match(pattern)) return style;
     const found = /** @type {RegExpMatchArray | null} */ (stream.match(word));
     if (found) return ofWord(found[0]);
     if (stream.match(/^\d+(\.\d+)?([eE][+-]?\d+)?/)) return 'number';
@@ -76,13 +80,16 @@ const KAREL = StreamLanguage.define({
 const TP = StreamLanguage.define({
   ...simple(
     [
-      [/^!.*/, 'comment'],
-      [/^\/\w+.*/, 'meta'],
+      [/^\d+:(?!\s*$)/, 'lineNumber', true],
+      [/^:/, 'lineNumber', true],
+      [/^(!|--|\/\/).*/, 'comment'],
+      [/^\/[A-Z]+\b.*/, 'meta', true],
       [/^(?:"[^"]*"?|'[^']*'?)/, 'string'],
     ],
     tpWord,
     /^[A-Za-z_]\w*/,
   ),
+  tokenTable: { lineNumber: tags.lineComment },
   languageData: { commentTokens: { line: '!' } },
 });
 

@@ -3,7 +3,7 @@
  * program wants done is done here, or said.
  *
  * @import { Page } from '../page.js'
- * @import { CodeRun, Place, Stop } from '../../model/code/codeRun.js'
+ * @import { CodeRun, Place, Stop } from '../../model/code/codeDebugger.js'
  * @import { Problem } from '../../model/code/codeProblems.js'
  * @import { Planned } from '../../model/program/planned.js'
  *
@@ -11,7 +11,8 @@
  * @typedef {'idle' | 'running' | 'paused' | 'asks' | 'over'} Mode
  * @typedef {'run' | 'into' | 'over' | 'out'} Way   how far it goes
  */
-import { jointsForCode, positionForCode } from '../../model/code/codeArm.js';
+import { codeArm } from '../../model/code/codeArm.js';
+import { systemAtFirst } from '../../model/code/codeFrames.js';
 import { planOfMove } from '../../model/code/codeMoves.js';
 import { createCodeRun } from '../../model/code/codeRun.js';
 import { LONGEST_FRAME } from '../../model/program/player.js';
@@ -19,8 +20,10 @@ import { postureAt } from '../../model/program/planPosture.js';
 import { fromMilliseconds } from '../../model/units.js';
 import { CODE } from '../words/code.js';
 
-/** Statements a frame: some milliseconds of the page's time. */
+/** Statements a frame at most, and s of the page's time; so many statements are run before the clock is looked at. */
 const STATEMENTS = 400;
+const LONGEST_TURN = 0.008;
+const AT_ONCE = 25;
 
 /**
  * @param {Page} page
@@ -28,7 +31,7 @@ const STATEMENTS = 400;
  * @param {() => void} acts.onChange      something of the run is another
  * @param {(place: Place) => boolean} acts.isBreakpoint
  */
-export function createRunControl({ store, derived, clock, announce, messages }, { onChange, isBreakpoint }) {
+export function createRunControl({ store, clock, announce, messages }, { onChange, isBreakpoint }) {
   /** @type {CodeRun | null} */
   let run = null;
   /** @type {Mode} */
@@ -47,10 +50,7 @@ export function createRunControl({ store, derived, clock, announce, messages }, 
   let standing = null;
 
   const line = () => run?.place()?.line ?? 0;
-  const arm = {
-    joints: () => jointsForCode(store.state.doc),
-    position: () => positionForCode(store.state.doc, derived.chain(store.state.doc)),
-  };
+  const arm = codeArm(() => store.state.doc);
 
   /** @param {Mode} next @param {string} text */
   function become(next, text) {
@@ -72,7 +72,6 @@ export function createRunControl({ store, derived, clock, announce, messages }, 
 
   /** @param {Stop} stop @returns {boolean} whether it goes on in this frame */
   function heed({ kind, effect }) {
-    if (kind === 'busy') return false;
     if (kind === 'over') {
       over();
       return false;
@@ -94,7 +93,10 @@ export function createRunControl({ store, derived, clock, announce, messages }, 
           become('paused', CODE.status.noMove(Number(effect.line), reason));
           return false;
         }
-        if ('plan' in planned) motion = { plan: planned.plan, time: 0, start: doc.posture };
+        if ('plan' in planned) {
+          motion = { plan: planned.plan, time: 0, start: doc.posture };
+          for (const frame of planned.missing) if (!said.includes(CODE.noFrame(frame))) say(CODE.noFrame(frame));
+        }
         standing = doc.posture;
         return false;
       }
@@ -107,8 +109,14 @@ export function createRunControl({ store, derived, clock, announce, messages }, 
       case 'call':
         say(CODE.called(String(effect.program)));
         return true;
+      case 'run-task':
+        say(CODE.runs(String(effect.program)));
+        return true;
+      case 'skipped':
+        say(CODE.skipped(Number(effect.line), String(effect.text)));
+        return true;
       case 'error':
-        say(CODE.posted(String(effect.text || effect.code)));
+        say(CODE.posted(String(effect.message || effect.code)));
         return true;
       case 'alarm':
         say(CODE.taskAlarm(String(effect.task), /** @type {{ reason: string }} */ (effect.alarm).reason));
@@ -140,13 +148,12 @@ export function createRunControl({ store, derived, clock, announce, messages }, 
     }
     owed = Math.max(-seconds, owed - seconds); // what is waited for within a frame is waited for
     if (owed > 0) return become('running', CODE.status.waiting(line()));
-    let left = STATEMENTS;
-    while (
-      left-- > 0 &&
-      mode === 'running' &&
-      run &&
-      heed(run.advance(isStop, STATEMENTS, () => store.state.doc.posture))
-    );
+    const begun = clock.now();
+    for (let left = STATEMENTS; left > 0 && mode === 'running' && run; left -= AT_ONCE) {
+      const stop = run.advance(isStop, AT_ONCE, () => store.state.doc.posture);
+      if (stop.kind !== 'busy' && !heed(stop)) break;
+      if (clock.now() - begun > LONGEST_TURN) break;
+    }
     if (mode !== 'running') return;
     const { moving, waiting, running } = CODE.status;
     become('running', (motion ? moving : owed > 0 ? waiting : running)(line()));
@@ -181,6 +188,8 @@ export function createRunControl({ store, derived, clock, announce, messages }, 
     said: () => said,
     /** The statement that is next. */
     place: () => (mode === 'over' || mode === 'idle' ? null : (run?.place() ?? null)),
+    /** Whether a statement takes its time: the arm moves by it, or it waits. */
+    isHolding: () => motion !== null || owed > 0,
     canGoBack: () => Boolean(run?.canGoBack()) && mode !== 'running',
 
     /**
@@ -192,7 +201,7 @@ export function createRunControl({ store, derived, clock, announce, messages }, 
       const isFirst = !run || mode === 'over' || mode === 'idle';
       if (isFirst) {
         const [programs, id] = program();
-        const made = createCodeRun(programs, id, arm);
+        const made = createCodeRun(programs, id, arm, systemAtFirst(store.state.doc));
         if (!('run' in made)) {
           run = null;
           become('idle', CODE.status.faulty(made.diagnostics.length));
@@ -242,7 +251,13 @@ export function createRunControl({ store, derived, clock, announce, messages }, 
       goOn();
     },
 
-    /** @param {string} port @param {number} index @param {boolean} value */
+    /** While it stands still. @param {'R' | 'PR'} bank @param {number} index @param {number} slot @param {number} value */
+    setRegister(bank, index, slot, value) {
+      if (mode !== 'running') run?.setRegister(bank, index, slot, value);
+      onChange();
+    },
+
+    /** @param {string} port @param {number} index @param {boolean | number} value */
     setPort(port, index, value) {
       run?.setPort(port, index, value);
       onChange();

@@ -66,6 +66,10 @@ const DRAWINGS = {
   prismatic: own(
     '<path d="M3.2 5h9.6v6H3.2z" fill="none" stroke="currentColor" stroke-width="1.4"/><path d="M.2 8 2.6 6v4zM15.8 8l-2.4-2v4z"/>',
   ),
+  // what an arm sweeps: two arcs about a point
+  reach: own(
+    '<g fill="none" stroke="currentColor" stroke-width="1.3"><path d="M1.5 13.5a12 12 0 0 1 12-12v0M6.5 13.5a7 7 0 0 1 7-7M1.5 13.5h5M13.5 1.5v5"/></g><circle cx="13.2" cy="13.2" r="1.5"/>',
+  ),
   matrix: own(
     '<g fill="none" stroke="currentColor" stroke-width="1.4"><path d="M4.5 1.5h-3v13h3M11.5 1.5h3v13h-3"/></g><g><circle cx="6" cy="5" r="1.2"/><circle cx="10" cy="5" r="1.2"/><circle cx="6" cy="11" r="1.2"/><circle cx="10" cy="11" r="1.2"/></g>',
   ),

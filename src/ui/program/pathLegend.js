@@ -5,6 +5,7 @@
  * @import { PlayerRun } from './playerRun.js'
  */
 import $ from 'jquery/slim';
+import { codePathShown } from '../../model/code/codePathShown.js';
 import { playbackNow } from '../../model/program/planning.js';
 import { toolPathShown } from '../../model/program/toolPathShown.js';
 import { fromKernel } from '../../model/units.js';
@@ -50,7 +51,8 @@ export function createPathLegend({ addView }, view, run) {
 
   addView(
     together((state) => {
-      const playback = playbackNow(state);
+      // the path of code is no path in time
+      const playback = codePathShown(state) ? null : playbackNow(state);
       return [playback?.hasPath ?? null, playback?.hasGhosts ?? null];
     }),
     ([hasPath, hasGhosts]) => {

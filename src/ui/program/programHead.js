@@ -9,6 +9,8 @@
  * @typedef {object} HeadActs
  * @property {() => void} record
  * @property {(step: NewStep) => void} add
+ * @property {() => void} copy    the chosen steps
+ * @property {() => void} paste
  * @property {(id: string) => void} choose     a program
  * @property {() => void} rename
  * @property {(text: string) => void} say
@@ -16,6 +18,7 @@
  */
 import { newStep, withTarget } from '../../model/program/newSteps.js';
 import { FIRST_RECORDING } from '../../model/program/recording.js';
+import { chosenSteps } from '../../model/program/stepRange.js';
 import { refusal } from '../../model/refusals.js';
 import { shownProgram } from '../../model/program/shownProgram.js';
 import { withChoices } from '../parts/choices.js';
@@ -25,6 +28,7 @@ import { attempt } from '../page.js';
 import { readyChoices } from './readyMenu.js';
 import { segments } from '../parts/segments.js';
 import { PROGRAM } from '../words/program.js';
+import { STEP_RANGE } from '../words/stepRange.js';
 
 /** @type {readonly MoveStep['kind'][]} */
 const KINDS = ['joint', 'linear', 'circular'];
@@ -120,6 +124,10 @@ export function createProgramHead(page, acts) {
           title: PROGRAM.moveTo(id),
           run: () => acts.add(withTarget(doc, 'joint', { kind: 'target', id }, before)),
         })),
+        [
+          ...(step < 0 ? [] : [{ title: STEP_RANGE.copyChosen(chosenSteps(store.state)?.count ?? 1), run: acts.copy }]),
+          { title: STEP_RANGE.act.paste, run: acts.paste },
+        ],
       ].filter((group) => group.length > 0),
     };
   };

@@ -6,7 +6,6 @@
  * @import { StepAct } from './stepCard.js'
  * @import { Workcells } from '../../model/workcell/workcell.js'
  * @import { MoveStep, PoseTarget } from '../../model/document.js'
- * @import { MotionCommand, NewStep } from '../../model/program/motionCommands.js'
  */
 import { isMove } from '../../model/program/motionProgram.js';
 import { postureAt } from '../../model/program/motionPlan.js';
@@ -14,6 +13,7 @@ import { poseHere, postureHere, recordedStep } from '../../model/program/newStep
 import { firstPlayback } from '../../model/program/player.js';
 import { planNow } from '../../model/program/planning.js';
 import { shownProgram } from '../../model/program/shownProgram.js';
+import { chosenSteps } from '../../model/program/stepRange.js';
 import { travelBetween } from '../../model/aim/solutions.js';
 import { together } from '../../model/views.js';
 import '../css/program.css';
@@ -22,13 +22,14 @@ import { fill, h } from '../parts/dom.js';
 import { emptyState } from '../parts/emptyState.js';
 import { foldMaker } from '../parts/fold.js';
 import { icon } from '../parts/icons.js';
-import { attempt } from '../page.js';
 import { planNotes } from './planNotes.js';
 import { createPosturesList } from './posturesList.js';
 import { createProgramHead } from './programHead.js';
 import { createProgramName } from './programName.js';
 import { createStepTable } from './programTable.js';
 import { createReasons } from '../parts/reasons.js';
+import { createRangeCard } from './rangeCard.js';
+import { createStepActs } from './stepActs.js';
 import { createStepCard } from './stepCard.js';
 import { createStepFaults, stepTouchWords } from './stepFaults.js';
 import { emptyPicture } from './stepText.js';
@@ -55,29 +56,10 @@ export function createProgramPanel(page, host, files, cells) {
     if (reason !== null) announce(reason);
   }
 
-  /** @param {MotionCommand} command @param {() => string} [done]  in words @returns {boolean} */
-  function carryOut(command, done) {
-    const reason = attempt(page, command);
-    refuse(reason);
-    if (reason === null && done) announce(done());
-    return reason === null;
-  }
-
-  const choose = (/** @type {string | null} */ step) => store.dispatch({ type: 'show', change: { step } });
-
-  /** Steps after the chosen one, or at the end; in a program that is made for them where there is none. @param {NewStep} step */
-  function insert(step) {
-    const { program, index, step: chosen } = shownProgram(store.state);
-    const at = program === null ? 0 : chosen < 0 ? program.steps.length : chosen + 1;
-    const isDone = carryOut(
-      program === null
-        ? { type: 'add-motion-program', name: PROGRAM.newName(1), steps: [step] }
-        : { type: 'insert-steps', program: index, at, steps: [step] },
-    );
-    if (!isDone) return null;
-    choose(store.state.doc.motionPrograms[program === null ? 0 : index].steps[at].id);
-    return at + 1;
-  }
+  const acts = createStepActs(page, {
+    refuse,
+    focus: (step) => clock.onFrame(() => clock.onFrame(() => table.focus(step))), // once it is drawn
+  });
 
   function record() {
     const { doc, session } = store.state;
@@ -91,38 +73,11 @@ export function createProgramPanel(page, host, files, cells) {
       return;
     }
     const before = program?.steps.slice(0, step < 0 ? undefined : step + 1) ?? [];
-    const number = insert(recordedStep(doc, chain, recording, before));
+    const number = acts.insertOne(recordedStep(doc, chain, recording, before));
     if (number === null) return;
     if (recording.via) store.dispatch({ type: 'show', change: { recording: { ...recording, via: null } } });
     announce(PROGRAM.recorded(number));
   }
-
-  /** @param {number} from @param {number} to */
-  function move(from, to) {
-    const { program, index } = shownProgram(store.state);
-    if (!program || to < 0 || to >= program.steps.length) return;
-    const { id } = program.steps[from];
-    if (carryOut({ type: 'move-step', program: index, step: from, to }, () => PROGRAM.done.moved(to + 1))) {
-      choose(id);
-      focusWhenDrawn(to);
-    }
-  }
-
-  /** @param {number} step */
-  function remove(step) {
-    const { program, index } = shownProgram(store.state);
-    if (!program) return;
-    const next = program.steps[step + 1] ?? program.steps[step - 1] ?? null;
-    const isDone = carryOut({ type: 'remove-steps', program: index, step, count: 1 }, () =>
-      PROGRAM.done.remove(step + 1),
-    );
-    if (!isDone) return;
-    choose(next?.id ?? null);
-    if (next) focusWhenDrawn(Math.min(step, program.steps.length - 2));
-  }
-
-  /** @param {number} step */
-  const focusWhenDrawn = (step) => clock.onFrame(() => clock.onFrame(() => table.focus(step)));
 
   /** Where a step ends is drawn as a ghost. @param {number | null} index */
   function look(index) {
@@ -143,24 +98,14 @@ export function createProgramPanel(page, host, files, cells) {
     if (!program || !step) return;
     const { doc } = store.state;
     const edit = (/** @type {object} */ change, /** @type {string} */ done) =>
-      carryOut({ type: 'edit-step', program: index, step: at, to: { ...step, ...change } }, () => done);
+      acts.carryOut({ type: 'edit-step', program: index, step: at, to: { ...step, ...change } }, () => done);
     if (act === 'go' && isMove(step)) go(step, at + 1);
     else if (act === 'again' && isMove(step)) {
       const isPosture = step.target.kind === 'posture' || (step.kind === 'joint' && step.target.kind !== 'pose');
       const target = isPosture ? postureHere(doc) : poseHere(doc, derived.chain(doc));
       const frame = isPosture ? {} : { frame: doc.activeUser };
       edit({ target, ...frame }, PROGRAM.done.again(at + 1));
-    } else if (act === 'duplicate') {
-      if (
-        carryOut({ type: 'insert-steps', program: index, at: at + 1, steps: [step] }, () =>
-          PROGRAM.done.duplicate(at + 1),
-        )
-      )
-        choose(store.state.doc.motionPrograms[index].steps[at + 1].id);
-    } else if (act === 'disable') {
-      const isOff = step.disabled === true;
-      edit({ disabled: isOff ? undefined : true }, PROGRAM.done[isOff ? 'enable' : 'disable'](at + 1));
-    } else if (act === 'remove') remove(at);
+    } else if (act === 'duplicate' || act === 'disable' || act === 'remove') acts[act]();
   }
 
   /** @param {MoveStep} step @param {number} number */
@@ -184,24 +129,24 @@ export function createProgramPanel(page, host, files, cells) {
   const head = createProgramHead(page, {
     record,
     add(step) {
-      const number = insert(step);
+      const number = acts.insertOne(step);
       if (number !== null) announce(PROGRAM.added(number));
     },
+    copy: () => void acts.copy(),
+    paste: () => void acts.pasteCopied(),
     choose: chooseProgram,
     rename: () => name.focus(),
     say: announce,
     refuse,
   });
   const table = createStepTable(page, reasons, {
-    choose(index) {
-      const id = shownProgram(store.state).program?.steps[index]?.id ?? null;
-      if (id !== store.state.session.step) choose(id);
-    },
+    ...acts,
+    choose: (index) => acts.choose(shownProgram(store.state).program?.steps[index]?.id ?? null),
+    copy: acts.copyBy,
     look,
-    move,
-    remove,
   });
   const card = createStepCard(page, reasons, carryOutOn);
+  const rangeCard = createRangeCard((act) => void acts[act]());
   const name = createProgramName(page, reasons);
   const stepFaults = createStepFaults();
   const recordFirst = h(
@@ -234,6 +179,7 @@ export function createProgramPanel(page, host, files, cells) {
     reasons.element,
     name.element,
     card.element,
+    rangeCard.element,
     notes.element,
     empty,
     fold.element,
@@ -243,7 +189,7 @@ export function createProgramPanel(page, host, files, cells) {
   addView(
     together((state) => [
       ...[state.doc.robot, state.doc.frames, state.doc.targets, state.doc.motionPrograms, state.doc.postures],
-      ...[state.session.step, state.session.recording, state.session.playback?.program],
+      ...[state.session.step, state.session.stepRange, state.session.recording, state.session.playback?.program],
       ...[stepFaults(state), stepTouchWords(state)],
     ]),
     () => {
@@ -254,8 +200,11 @@ export function createProgramPanel(page, host, files, cells) {
       head.draw();
       empty.hidden = !isEmpty;
       table.element.hidden = isEmpty;
-      if (program) table.draw(doc, index, step, faults, stepTouchWords(store.state));
-      card.draw(doc, index, step);
+      if (program) table.draw(doc, index, step, chosenSteps(store.state), faults, stepTouchWords(store.state));
+      const range = chosenSteps(store.state);
+      const isAlone = range?.count === 1;
+      card.draw(doc, index, isAlone ? step : -1);
+      rangeCard.draw(doc, index, range);
       name.draw(program, index, step < 0 && !isEmpty);
       const [fault] = faults.values();
       if (fault !== undefined) refuse(null);
@@ -278,7 +227,7 @@ export function createProgramPanel(page, host, files, cells) {
   );
   whenFirst(
     page,
-    ({ doc }) => doc.obstacles.length > 0,
+    (state) => planNow(state) !== null,
     async () => {
       const [{ createCheckPanel }, loaded] = await Promise.all([import('../workcell/checkPanel.js'), cells()]);
       against.after(createCheckPanel(page, loaded, (index) => table.focus(index)));

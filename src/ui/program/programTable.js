@@ -10,22 +10,31 @@
  *
  * @typedef {object} TableActs
  * @property {(index: number) => void} choose
+ * @property {(index: number) => void} extend   the choice to there
+ * @property {() => void} chooseAll
  * @property {(index: number | null) => void} look   at where it ends; null: no more
  * @property {(index: number, to: number) => void} move
- * @property {(index: number) => void} remove
+ * @property {(index: number, by: -1 | 1) => void} shift
+ * @property {() => void} remove    what is chosen
+ * @property {(event: ClipboardEvent) => void} copy   or cut
+ * @property {(text: string) => void} paste
  */
+import several from 'bootstrap-icons/icons/check2-square.svg?raw';
 import $ from 'jquery/slim';
 import { isMove } from '../../model/program/motionProgram.js';
 import { stepNow } from '../../model/program/planning.js';
+import { shownProgram } from '../../model/program/shownProgram.js';
+import { chosenSteps } from '../../model/program/stepRange.js';
 import { editCell } from '../robot/cellEditor.js';
 import { fill, h, keepFocus, spoken } from '../parts/dom.js';
 import { compact, editable } from '../parts/format.js';
 import { textInput } from '../parts/captioned.js';
-import { icon } from '../parts/icons.js';
+import { icon, iconOf } from '../parts/icons.js';
 import { hasNumber, endText, speedUnitInWords, speedUnitText, stepIcon, stepText } from './stepText.js';
 import { watchStepDrag } from './stepDrag.js';
 import { watchTableKeys } from '../robot/tableKeys.js';
 import { PROGRAM } from '../words/program.js';
+import { STEP_RANGE } from '../words/stepRange.js';
 
 const WIDEST_SPEED = 6;
 
@@ -36,6 +45,18 @@ const WIDEST_SPEED = 6;
  */
 export function createStepTable(page, reasons, acts) {
   const body = h('tbody');
+  /** For fingers: while it is pressed, the next row that is pressed is the other end of the choice. */
+  const toggle = h(
+    'button',
+    {
+      type: 'button',
+      class: 'btn btn-icon steps-several',
+      'aria-pressed': 'false',
+      'aria-label': STEP_RANGE.several,
+      title: STEP_RANGE.severalTitle,
+    },
+    iconOf(several),
+  );
   const { heads } = PROGRAM;
   const table = h(
     'table',
@@ -46,7 +67,7 @@ export function createStepTable(page, reasons, acts) {
       h(
         'tr',
         {},
-        h('td', { class: 'step-no' }),
+        h('td', { class: 'step-no' }, toggle),
         h('td', { class: 'step-kind' }),
         h('th', { scope: 'col' }, heads.step),
         h('th', { scope: 'col', class: 'step-speed' }, heads.speed),
@@ -61,6 +82,8 @@ export function createStepTable(page, reasons, acts) {
   /** @type {ReturnType<typeof createRow>[]} */
   let rows = [];
   let shape = '';
+  /** Rows are exchanged, and the focus put back: that is nobody's choice. */
+  let isBuilding = false;
   /** The step that is being played. @type {number | null} */
   let under = null;
 
@@ -68,27 +91,63 @@ export function createStepTable(page, reasons, acts) {
   const stepAt = (/** @type {number} */ index) =>
     /** @type {{ program: number, doc: Doc }} */ (shown).doc.motionPrograms[shown?.program ?? 0].steps[index];
 
+  /** Not the one that was drawn last: keys are quicker. */
+  const chosenNow = () => shownProgram(page.store.state).step;
+  const isSeveral = () => toggle.getAttribute('aria-pressed') === 'true';
+  toggle.addEventListener('click', () => {
+    const isOn = !isSeveral();
+    toggle.setAttribute('aria-pressed', String(isOn));
+    if (isOn) page.announce(STEP_RANGE.severalOn);
+    else acts.choose(chosenNow());
+  });
+  const isField = (/** @type {EventTarget | null} */ target) => target instanceof HTMLInputElement;
+
   $(body)
-    .on('click', 'tr', ({ currentTarget }) => acts.choose(indexOf(currentTarget)))
+    .on('mousedown', 'tr', (event) => {
+      const index = indexOf(event.currentTarget);
+      if (isField(event.target) || event.button !== 0 || !(event.shiftKey || isSeveral())) return;
+      event.preventDefault(); // neither text is selected, nor the row taken for the only one
+      acts.extend(index);
+      rows[index]?.name.focus();
+    })
+    .on('click', 'tr', (event) => {
+      const isExtended = !isField(event.target) && (event.shiftKey || isSeveral());
+      if (!isExtended) acts.choose(indexOf(event.currentTarget));
+    })
     .on('focusin', 'tr', ({ currentTarget }) => {
-      acts.choose(indexOf(currentTarget));
-      acts.look(indexOf(currentTarget));
+      const index = indexOf(currentTarget);
+      if (index !== chosenNow() && !isBuilding) acts.choose(index);
+      acts.look(index);
     })
     .on('focusout', () => acts.look(null))
     .on('pointerenter', 'tr', (event) => event.pointerType !== 'touch' && acts.look(indexOf(event.currentTarget)))
     .on('pointerleave', 'tr', () => acts.look(null))
     .on('keydown', 'tr', (event) => {
-      const { key, altKey, target } = event;
+      const { key, altKey, shiftKey, target } = event;
       const down = key === 'ArrowDown' ? 1 : key === 'ArrowUp' ? -1 : 0;
       const index = indexOf(event.currentTarget);
-      if (down !== 0 && altKey) acts.move(index, index + down);
-      else if (target instanceof HTMLInputElement) return;
-      else if (down !== 0) rows[index + down]?.name.focus();
+      if (down !== 0 && altKey) acts.shift(index, down);
+      else if (isField(target)) return;
+      else if (down !== 0 && shiftKey) {
+        acts.extend(index + down);
+        rows[index + down]?.name.focus();
+      } else if (down !== 0) rows[index + down]?.name.focus();
       else if (key === 'ArrowRight') rows[index].editor?.input.focus();
-      else if (key === 'Delete' || key === 'Backspace') acts.remove(index);
+      else if (key === 'Delete' || key === 'Backspace') acts.remove();
+      else if (key === 'a' && (event.ctrlKey || event.metaKey)) acts.chooseAll();
+      else if (key === 'Escape' && (chosenSteps(page.store.state)?.count ?? 0) > 1) acts.choose(index);
       else return;
       event.preventDefault();
     });
+  for (const type of /** @type {const} */ (['copy', 'cut'])) {
+    body.addEventListener(type, (event) => !isField(event.target) && acts.copy(event));
+  }
+  body.addEventListener('paste', (event) => {
+    const text = event.clipboardData?.getData('text/plain') ?? '';
+    if (isField(event.target) || !text.trimStart().startsWith('{')) return; // a robot file is for the page
+    event.preventDefault();
+    acts.paste(text);
+  });
   const cells = () => rows.flatMap(({ editor }) => (editor ? [[editor.input]] : []));
   watchTableKeys(table, cells, () => false);
   watchStepDrag(body, acts.move);
@@ -108,17 +167,20 @@ export function createStepTable(page, reasons, acts) {
     element,
     /**
      * @param {Doc} doc @param {number} program @param {number} chosen
+     * @param {{ first: number, count: number } | null} range  of all that are chosen
      * @param {ReadonlyMap<number, string>} faults   of steps that cannot be moves
      * @param {ReadonlyMap<number, string>} touches  what steps come too near to
      */
-    draw(doc, program, chosen, faults, touches) {
+    draw(doc, program, chosen, range, faults, touches) {
       shown = { doc, program };
+
       const { name, steps } = doc.motionPrograms[program];
       table.setAttribute('aria-label', PROGRAM.steps(name));
       const { length, angle } = doc.robot.units;
       const now = [...steps.map(({ id, kind }) => `${id} ${kind}`), program, length, angle].join();
       if (now !== shape) {
         shape = now;
+        isBuilding = true;
         keepFocus(body, '[data-action=step]', () => {
           rows = steps.map((step, i) => createRow(page, reasons, step, i, () => stepAt(i), program));
           fill(
@@ -126,10 +188,15 @@ export function createStepTable(page, reasons, acts) {
             rows.map(({ row }) => row),
           );
         });
+        isBuilding = false;
       }
       markRunning();
-      for (const [i, row] of rows.entries())
-        row.refresh(doc, steps[i], i === chosen, faults.get(i) ?? null, touches.get(i) ?? null);
+      for (const [i, row] of rows.entries()) {
+        const isIn = range !== null && i >= range.first && i < range.first + range.count;
+        const choice = isIn ? (range.count > 1 ? 'together' : 'alone') : null;
+        row.refresh(doc, steps[i], choice, faults.get(i) ?? null, touches.get(i) ?? null);
+        row.setCurrent(i === chosen);
+      }
     },
     /** @param {number} index */
     focus: (index) => rows[index]?.name.focus(),
@@ -159,8 +226,8 @@ function createRow(page, reasons, first, index, now, program) {
     h('td', { class: 'step-speed' }, editor && h('span', { class: 'step-number' }, editor.input, unit)),
     end,
   );
-  /** @param {Doc} doc @param {StepDoc} step @param {boolean} isChosen @param {string | null} fault @param {string | null} touch */
-  function refresh(doc, step, isChosen, fault, touch) {
+  /** @param {Doc} doc @param {StepDoc} step @param {'alone' | 'together' | null} choice @param {string | null} fault @param {string | null} touch */
+  function refresh(doc, step, choice, fault, touch) {
     const { units } = doc.robot;
     const text = stepText(doc, step);
     const comment = 'comment' in step ? step.comment : undefined;
@@ -170,14 +237,13 @@ function createRow(page, reasons, first, index, now, program) {
       spoken(`${index + 1}, ${PROGRAM.kindOf[step.kind]}, `),
       h('b', {}, isNamed ? comment : text),
       comment && !isNamed && [' ', h('span', { class: 'soft sm' }, comment)],
+      choice === 'together' && spoken(`, ${STEP_RANGE.together}`),
       step.disabled && spoken(`, ${PROGRAM.disabled}`),
       fault !== null && spoken(`, ${fault}`),
       touch !== null && [h('span', { class: 'step-touch' }, icon('octagon'), h('span', {}, ` ${touch}`))],
     );
     name.title = [text, comment, fault, touch].filter(Boolean).join('\n');
-    if (isChosen) name.setAttribute('aria-current', 'true');
-    else name.removeAttribute('aria-current');
-    row.classList.toggle('is-chosen', isChosen);
+    row.classList.toggle('is-chosen', choice !== null);
     row.classList.toggle('is-off', step.disabled === true);
     row.classList.toggle('has-fault', fault !== null);
     unit.textContent = isMove(step) ? speedUnitText(step.speedUnit, units) : 's';
@@ -189,7 +255,12 @@ function createRow(page, reasons, first, index, now, program) {
     editor.input.setAttribute('aria-label', label);
     editor.refresh();
   }
-  return { row, name, editor, refresh };
+  /** @param {boolean} isCurrent */
+  function setCurrent(isCurrent) {
+    if (isCurrent) name.setAttribute('aria-current', 'true');
+    else name.removeAttribute('aria-current');
+  }
+  return { row, name, editor, refresh, setCurrent };
 }
 
 /**

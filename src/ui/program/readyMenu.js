@@ -9,7 +9,7 @@ import { attempt } from '../page.js';
 import { READY_WORDS } from '../words/ready.js';
 
 /** @type {readonly ReadyId[]} */
-const READY = ['pick-and-place', 'weld-seam', 'circle', 'lissajous', 'corners'];
+const READY = ['pick-and-place', 'weld-seam', 'circle', 'lissajous', 'corners', 'laws', 'points'];
 
 /**
  * @param {Page} page

@@ -19,6 +19,7 @@ import { unitSign } from '../parts/format.js';
 import { icon } from '../parts/icons.js';
 import { createStepFields } from './stepFields.js';
 import { speedUnitText, stepIcon, targetText } from './stepText.js';
+import { targetFields, targetNumbers } from './targetFields.js';
 import { PROGRAM } from '../words/program.js';
 
 /**
@@ -33,6 +34,9 @@ export function createStepCard(page, reasons, act) {
   /** @type {{ program: number, step: number } | null} */
   let at = null;
   let shape = '';
+  /** Of the target, and of what an arc goes through, folded away at first. */
+  const numbers = { isOpen: false };
+  const viaNumbers = { isOpen: false };
 
   let fields = createStepFields(page, reasons, changed);
 
@@ -47,6 +51,7 @@ export function createStepCard(page, reasons, act) {
 
   /** @returns {MoveStep} */
   const move = () => /** @type {MoveStep} */ (now());
+  const within = () => ({ doc: docNow(), step: move() });
 
   /** @param {MoveStep} step @param {Doc} doc */
   function moveFields(step, doc) {
@@ -58,8 +63,6 @@ export function createStepCard(page, reasons, act) {
       return { kind, speed, speedUnit, ...(isLost && { law: undefined }) };
     };
     const isJoint = step.kind === 'joint';
-    const places = Object.fromEntries(doc.targets.map(({ id }) => [`target ${id}`, id]));
-    const tools = Object.fromEntries(doc.frames.filter(({ kind }) => kind === 'tool').map(({ id }) => [id, id]));
     const unit = (/** @type {SpeedUnit} */ name) => speedUnitText(name, units);
     const turn = { 'length/s': unit('length/s'), 'angle/s': unit('angle/s') };
     const value = () => ('value' in move().ending ? /** @type {{ value: number }} */ (move().ending).value : 0);
@@ -118,20 +121,7 @@ export function createStepCard(page, reasons, act) {
           () => move().law ?? '',
           (law) => ({ law: law || undefined }),
         ),
-        Object.keys(places).length > 0 &&
-          fields.choice(
-            words.target,
-            { '': PROGRAM.asRecorded[step.target.kind] || targetText(doc, step.target), ...places },
-            () => (move().target.kind === 'target' ? `target ${targetText(docNow(), move().target)}` : ''),
-            (chosen) => (chosen === '' ? {} : { target: { kind: 'target', id: chosen.slice('target '.length) } }),
-          ),
-        Object.keys(tools).length > 0 &&
-          fields.choice(
-            words.tool,
-            { '': PROGRAM.activeTool, ...tools },
-            () => move().tool ?? '',
-            (tool) => ({ tool: tool || undefined }),
-          ),
+        targetFields(fields, step, doc, within),
         step.kind === 'linear' &&
           fields.choice(
             words.kind,
@@ -140,6 +130,8 @@ export function createStepCard(page, reasons, act) {
             () => manner('joint'),
           ),
       ),
+      targetNumbers(fields, step, doc, within, viaNumbers, 'via'),
+      targetNumbers(fields, step, doc, within, numbers),
     ];
   }
 
@@ -215,7 +207,7 @@ export function createStepCard(page, reasons, act) {
       'div',
       { class: 'step-card-head' },
       stepIcon(step.kind),
-      h('h3', {}, PROGRAM.card(number)),
+      h('h2', {}, PROGRAM.card(number)),
       h('span', { class: 'soft sm step-card-kind' }, PROGRAM.kindOf[step.kind]),
       h('span', { class: 'grow' }),
       isMove(step) && go,
@@ -251,7 +243,7 @@ export function createStepCard(page, reasons, act) {
       }
       at = { program, step };
       const { length, angle } = doc.robot.units;
-      const key = isMove(chosen) ? [chosen.ending.kind, chosen.target.kind, chosen.frame] : [];
+      const key = isMove(chosen) ? [chosen.ending.kind, chosen.target.kind, chosen.via?.kind, chosen.frame] : [];
       const ids = [...doc.targets, ...doc.frames, ...doc.motionPrograms].map(({ id }) => id);
       const called = chosen.kind === 'call' && chosen.program;
       const wanted = [
@@ -263,6 +255,7 @@ export function createStepCard(page, reasons, act) {
         length,
         angle,
         called,
+        doc.robot.joints.map(({ type }) => type).join(),
         ...key,
         ...ids,
       ].join();

@@ -38,8 +38,9 @@ export function createStepFields(page, reasons, changed) {
    * @param {() => number} value
    * @param {(value: number) => object} change
    * @param {() => string} [unit]
+   * @param {string} [caption]  for the eye, where the label says more than there is room for
    */
-  function numberField(label, value, change, unit = () => '') {
+  function numberField(label, value, change, unit = () => '', caption = label) {
     const input = textInput({ 'aria-label': label, 'data-action': label });
     const sign = h('span', {});
     const editor = editCell(page, input, {
@@ -54,7 +55,7 @@ export function createStepFields(page, reasons, changed) {
       editor.refresh();
       sign.textContent = unit();
     });
-    return captioned(label, input, sign);
+    return captioned(caption, input, sign);
   }
 
   /**
@@ -108,3 +109,5 @@ export function createStepFields(page, reasons, changed) {
     forget: () => editors.forEach((editor) => editor.forget()),
   };
 }
+
+/** @typedef {ReturnType<typeof createStepFields>} StepFields */

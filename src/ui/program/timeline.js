@@ -250,7 +250,7 @@ export function createTimeline(page, host, view, cells) {
   );
   whenFirst(
     page,
-    ({ doc }) => doc.obstacles.length > 0,
+    (state) => planNow(state) !== null,
     async () => (await import('../workcell/timelineTouches.js')).createTimelineTouches(page, strip, await cells()),
   );
   return { text: { ghosts: TIMELINE.ghosts } };

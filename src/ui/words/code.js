@@ -1,27 +1,21 @@
 /** Controller code: files, the editor, running it. */
 
 export const CODE = {
-  title: 'FANUC KAREL + TP',
   empty: 'No code yet',
   emptyDetail:
-    'Write a KAREL program and run it on this arm, open one from a file, or record two or more postures: they are written as code.',
-  toProgram: 'Record postures',
+    'Write a KAREL or TP program and run it on this arm, or open one from a file. A motion program, two recorded postures, or a target are written as code for FANUC and KUKA.',
+  toProgram: 'Make a program',
   files: 'Files',
   copy: 'Copy this file',
   copied: (/** @type {string} */ name) => `${name} is copied.`,
-  save: 'Save both files',
-  saveOne: 'Save this file',
-  saved: (/** @type {string} */ names) => `Saved: ${names}.`,
   text: (/** @type {string} */ name) => `Text of ${name}`,
-  notes: 'Before you use it',
-  written: 'written from the recorded postures',
-  edit: 'Edit a copy',
   more: 'Files: new, open, rename, remove',
   newKarel: 'New KAREL program',
   newKarelDetail: 'It can be checked and run here',
   newTp: 'New TP program',
   newKrl: 'New KRL program',
-  onlyEdited: 'It can be edited here, not run',
+  newTpDetail: 'It can be checked and run here, and called by KAREL',
+  krlDetail: 'It is read as far as this page writes it',
   openFile: 'Open a file…',
   openDetail: '.kl, .ls, .src or .dat; it becomes part of the model',
   rename: (/** @type {string} */ name) => `Rename ${name}…`,
@@ -81,25 +75,40 @@ export const CODE = {
       .join(', '),
   goToProblem: 'Go to the next one',
   line: (/** @type {number} */ line) => `Line ${line}`,
-  notChecked: 'This language is not checked here.',
+  severity: { error: 'Error', warning: 'Warning' },
+  noProblemsKrl: 'No errors found; KRL is read here as far as this page writes it',
+  format: 'Format',
+  formatted: 'The lines are in order; undo brings them back.',
+  inOrder: 'The lines are in order already.',
+  ghost: (/** @type {number} */ line) => `line ${line}`,
+  leadsNowhere: (/** @type {string} */ reason) => `Run from where the arm stands, it stops here: ${reason}`,
 
-  variables: 'Variables',
+  shown: 'What the program knows',
+  parts: { variables: 'Variables', registers: 'Registers', output: 'Output' },
   variable: { name: 'Name', type: 'Type', value: 'Value' },
+  watch: 'Watch an expression',
+  addWatch: 'Watch',
+  unwatch: (/** @type {string} */ text) => `Watch ${text} no longer`,
+  noRegisters: 'No register has a value yet.',
   stack: 'Where it is',
   signals: 'Signals',
   input: (/** @type {string} */ name) => `${name}, an input: set it`,
   on: 'ON',
   off: 'OFF',
-  output: 'Output',
   noOutput: 'Nothing is written yet.',
   answer: 'A line for the program to read',
   send: 'Send',
-  called: (/** @type {string} */ name) => `CALL ${name}: not a KAREL program of this model; passed over.`,
+  called: (/** @type {string} */ name) => `CALL ${name}: no program of this model; passed over.`,
+  runs: (/** @type {string} */ name) => `RUN ${name}: programs run one after another here; passed over.`,
+  skipped: (/** @type {number} */ line, /** @type {string} */ text) =>
+    `Line ${line}, "${text}": not known here; passed over.`,
+  noFrame: (/** @type {string} */ frame) =>
+    `${frame} is not among the frames of this model: taken as one that changes nothing.`,
   effect: (/** @type {string} */ what) => `${what}: has no effect on the simulated arm.`,
   posted: (/** @type {string} */ message) => `POST_ERR: ${message}`,
   taskAlarm: (/** @type {string} */ task, /** @type {string} */ reason) => `Task ${task} ended: ${reason}`,
   limits:
-    'Simulated: every motion stops at its end, a joint motion goes at full rates, a statement takes 0.01 ms. No controller has judged this.',
+    'Simulated; no controller has judged this. Every motion stops at its end, those of KAREL by joints go at full rates. Frame 0 is on axis 1, at the height of axis 2.',
   template: (/** @type {string} */ name) => `PROGRAM ${name}
 -- Move the tool 50 mm up from where it is, and back.
 VAR
@@ -112,5 +121,34 @@ BEGIN
   WRITE('up at ', above.z, CR)
   WITH $MOTYPE = LINEAR, $SPEED = 100.0 MOVE TO here
 END ${name}
+`,
+  limitsKrl:
+    'Simulated; no controller has judged this. KRL is read and run here as far as this page writes it; every motion stops at its end. BASE 0 is taken to be the world.',
+  tpTemplate: (/** @type {string} */ name) => `/PROG  ${name.toUpperCase()}
+/ATTR
+COMMENT\t\t= "up and back";
+LINE_COUNT\t= 9;
+DEFAULT_GROUP\t= 1,*,*,*,*;
+/MN
+   1:  !50 mm up, and back when DI[1] is ON ;
+   2:  UFRAME_NUM=0 ;
+   3:  UTOOL_NUM=0 ;
+   4:  PR[1:here]=LPOS ;
+   5:  PR[2:above]=PR[1:here] ;
+   6:  PR[2,3]=PR[1,3]+50 ;
+   7:L PR[2:above] 100mm/sec FINE    ;
+   8:  WAIT DI[1:go back]=ON ;
+   9:L PR[1:here] 100mm/sec FINE    ;
+/POS
+/END
+`,
+  krlTemplate: (/** @type {string} */ name) => `DEF ${name} ( )
+  ; the positions of PTP, LIN and CIRC stand in a program of their own, which begins with DEFDAT ${name}
+  BAS(#VEL_PTP,50)
+  WAIT FOR $IN[1]==TRUE
+  $OUT[1]=TRUE
+  WAIT SEC 1.0
+  $OUT[1]=FALSE
+END
 `,
 };

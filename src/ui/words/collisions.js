@@ -10,6 +10,7 @@ export const COLLISIONS = {
   again: 'Look again',
   clear: (/** @type {string} */ margin, /** @type {number} */ count) =>
     `Keeps ${margin} clear of ${count === 1 ? 'the obstacle' : `${count} obstacles`}, and of itself: proven all along, to 1 mm.`,
+  clearOfItself: 'The arm does not touch itself: proven all along, to 1 mm.',
   clearNow: 'The program keeps clear.',
   notClear: 'Not clear in step',
   toStep: /** @type {OfStep} */ ((step) => `To step ${step}, which is not clear`),

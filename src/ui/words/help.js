@@ -34,6 +34,35 @@ const PLACES = [
     ],
   },
   {
+    title: 'In a program',
+    keys: [
+      [[['↑'], ['↓']], 'To the step above, below; with Shift all from the first to there are chosen'],
+      [
+        [
+          ['Ctrl', 'C'],
+          ['Ctrl', 'X'],
+          ['Ctrl', 'V'],
+        ],
+        'Copy or cut the chosen steps, and paste steps after them',
+      ],
+      [
+        [
+          ['Alt', '↑'],
+          ['Alt', '↓'],
+        ],
+        'Move the chosen steps',
+      ],
+      [[['Delete']], 'Delete them'],
+    ],
+  },
+  {
+    title: 'On the timeline',
+    keys: [
+      [[['Space']], 'Play, and pause; Esc pauses anywhere'],
+      [[['Page Up'], ['Page Down']], 'To the next step, to the one before'],
+    ],
+  },
+  {
     title: 'In the view',
     keys: [
       [[['←'], ['→'], ['↑'], ['↓']], 'Go round the arm'],

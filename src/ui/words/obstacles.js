@@ -61,7 +61,7 @@ export const OBSTACLES = {
   nowClear: 'The arm is clear again.',
   capsules: 'Show the arm as the check sees it',
   approximation:
-    'Links are looked at as round bars with round ends, as thick as they are drawn. Knuckles, drums and sleeves about the joints and the flange’s own body are thicker, or farther out, and are not looked at: keep a distance where they matter.',
+    'Links are looked at as round bars with round ends, as thick as they are drawn. Knuckles, drums and sleeves about the joints and the flange’s own body are thicker, or farther out, and are not looked at: keep a distance where they matter. Links that one joint alone moves against each other are not held against each other: how far it may go is what its limits say.',
   margin: 'Keep to obstacles',
   marginLabel: (/** @type {string} */ unit) => `What programs are to keep to obstacles, ${unit}`,
   marginDetail: 'in programs, and by ways around',

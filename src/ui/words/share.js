@@ -9,7 +9,7 @@ export const SHARE = {
   title: (/** @type {string} */ robot) => `Share “${robot}”`,
   what: 'Whoever opens the link gets a copy of the model as it stands now. All of it is in the link itself: nothing is stored on a server, and later changes do not reach it.',
   link: 'The link',
-  with: { view: 'As it is seen now: camera, frames', panels: 'With the panels that are open' },
+  with: { view: 'As it is seen now: camera, frames, workspace', panels: 'With the panels that are open' },
   /** @param {number} n @returns {[words: string, isLong: boolean]} */
   length: (n) =>
     n <= LONG

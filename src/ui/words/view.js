@@ -7,6 +7,7 @@ export const PANELS = {
   aim: 'Aim',
   program: 'Program',
   code: 'Code',
+  workspace: 'Workspace',
   jacobian: 'Jacobian',
   left: 'Robot and program',
   right: 'Joints and poses',

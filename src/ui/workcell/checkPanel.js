@@ -1,6 +1,6 @@
 /**
- * Below the steps of a program: whether it keeps clear, what the chosen step touches and where, and the way around it. Nothing
- * of it is seen while there are no obstacles.
+ * Below the steps of a program: whether it keeps clear of obstacles and of itself, what the chosen step touches and where, and the
+ * way around it. Nothing of it is seen of an arm that has nothing to touch.
  *
  * @import { Page } from '../page.js'
  * @import { StepTouch } from '../../model/workcell/checked.js'
@@ -18,13 +18,16 @@ import { COLLISIONS } from '../words/collisions.js';
 import { marginText, touchSentence } from './touchText.js';
 import { createWayFinder } from './wayFinder.js';
 
+/** s; what takes less is not worth a word. */
+const PATIENCE = 0.3;
+
 /**
  * @param {Page} page
  * @param {Workcells} cells
  * @param {(index: number) => void} choose   a step
  */
 export function createCheckPanel(page, cells, choose) {
-  const { store, addView, derived, announce } = page;
+  const { store, addView, derived, announce, clock } = page;
   const finder = createWayFinder(page, cells);
   const state = h('p', { class: 'check-state sm' });
   const touch = h('p', {});
@@ -76,8 +79,10 @@ export function createCheckPanel(page, cells, choose) {
       return link;
     });
 
-  /** Said once, when it is known. @type {unknown} */
+  /** Said once, when it is known. @type {readonly StepTouch[] | null} */
   let said = null;
+  /** That is looked at, and since when. @type {{ planned: unknown, since: number }} */
+  let under = { planned: null, since: 0 };
   addView(
     together((now) => [
       checkNow(now),
@@ -90,7 +95,11 @@ export function createCheckPanel(page, cells, choose) {
       const { doc, session } = store.state;
       const { step: chosen, program } = shownProgram(store.state);
       const margin = marginNow(session.workcell, derived.chain(doc));
-      element.hidden = check === null && !finder.isTelling;
+      const hasNothing = doc.obstacles.length === 0 && !cells.canTouchItself(doc);
+      const isEmpty = (program?.steps.length ?? 0) === 0;
+      element.hidden = (hasNothing || isEmpty || (check === null && element.hidden)) && !finder.isTelling;
+      element.classList.toggle('is-due', check === null && !finder.isTelling);
+      if (check && check.planned !== under.planned) under = { planned: check.planned, since: clock.now() };
       shown = check?.touches?.find(({ step }) => step === chosen) ?? null;
       card.hidden = shown === null && !finder.isTelling;
       card.classList.toggle('is-near', shown !== null && !shown.isTouch);
@@ -99,36 +108,34 @@ export function createCheckPanel(page, cells, choose) {
       around.hidden = shown === null || program?.steps[chosen]?.kind !== 'joint';
       hint.hidden = shown === null || !around.hidden;
       touch.textContent = shown ? touchSentence(shown, margin, units) : '';
+      // what was said stays in its room until more is known, so that nothing jumps
+      if (!check || (check.progress !== null && clock.now() - under.since < PATIENCE)) return;
       state.classList.remove('is-clear', 'is-touching');
-      if (!check) fill(state);
-      else if (check.progress !== null) {
+      if (check.progress !== null) {
         fill(state, COLLISIONS.checking(fixed(100 * check.progress, 0)), ' ', button(COLLISIONS.cancel, giveUp));
       } else if (!check.touches) fill(state, COLLISIONS.given, ' ', button(COLLISIONS.again, again));
       else if (check.touches.length === 0) {
         state.classList.add('is-clear');
-        fill(
-          state,
-          icon('checkCircle'),
-          h('span', {}, COLLISIONS.clear(marginText(margin, units), doc.obstacles.length)),
-        );
+        fill(state, icon('checkCircle'), h('span', {}, clearText(marginText(margin, units), doc.obstacles.length)));
       } else {
         state.classList.add('is-touching');
         fill(state, icon('octagon'), h('span', {}, COLLISIONS.notClear), ...links(check.touches));
       }
-      if (check?.touches && check.touches !== said) {
-        announce(
-          check.touches.length === 0
-            ? COLLISIONS.clearNow
-            : check.touches.map((one) => touchSentence(one, margin, units)).join(' '),
-        );
-        said = check.touches;
-      }
+      if (!check.touches || check.touches === said) return;
+      said = check.touches;
+      if (said.length > 0) announce(said.map((one) => touchSentence(one, margin, units)).join(' '));
+      else if (doc.obstacles.length > 0) announce(COLLISIONS.clearNow); // that it does not touch itself goes without saying
     },
   );
   finder.onChange(() => {
     card.hidden = shown === null && !finder.isTelling;
-    element.hidden = checkNow(store.state) === null && !finder.isTelling;
     around.disabled = finder.isBusy;
+    if (!finder.isTelling) return;
+    element.hidden = false;
+    element.classList.remove('is-due');
   });
   return element;
 }
+
+/** @param {string} margin @param {number} count  of obstacles */
+const clearText = (margin, count) => (count === 0 ? COLLISIONS.clearOfItself : COLLISIONS.clear(margin, count));

@@ -44,7 +44,7 @@ export function createProgramChecker({ store, addView, derived, clock, messages 
     apart.ask(question, (answer) => {
       if (!isSameCheck(wanted, checkWanted(store.state))) return;
       if ('progress' in answer) return show({ progress: answer.progress });
-      const touches = stepTouches(answer.found, planned, (near) => cells.named(store.state.doc, near));
+      const touches = stepTouches(answer.found, planned, store.state.doc);
       show({ progress: null, touches });
     });
   }

@@ -9,6 +9,7 @@
 import { planNow } from '../../model/program/planning.js';
 import { shownProgram } from '../../model/program/shownProgram.js';
 import { aroundRequest, endsOfMove, waySteps } from '../../model/workcell/programCheck.js';
+import { named } from '../../model/workcell/workcell.js';
 import { together } from '../../model/views.js';
 import { fill, h } from '../parts/dom.js';
 import { fixed } from '../parts/format.js';
@@ -99,7 +100,7 @@ export function createWayFinder(page, cells) {
         const on = button(COLLISIONS.tryOn, () => find(step, seed + 1, all));
         return end(COLLISIONS.notFound(fixed(all.seconds, 1), grouped(all.iterations)), [on]);
       }
-      end(COLLISIONS[found.status](...bodiesText(cells.named(doc, found.touch))));
+      end(COLLISIONS[found.status](...bodiesText(named(doc, found.touch))));
     });
   }
 

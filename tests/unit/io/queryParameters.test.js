@@ -80,6 +80,7 @@ test('panels are those that stand beside the view, the bar with them unless ther
     'code',
     'robot',
     'program',
+    'workspace',
     'jacobian',
     'jog',
     'pose',

@@ -224,6 +224,7 @@ const definition = fc.oneof(
   node('structure', { fields: fc.array(fc.oneof(declared, comment), { maxLength: 3 }) }),
   node('path-type', {}, { node: fc.constant('my_type'), header: fc.constant('other') }),
 );
+const anyPosition = fc.constantFrom('POSITION', 'XYZWPR', 'JOINTPOS6').map((name) => ({ kind: 'type', name }));
 const section = fc.oneof(
   node('constants', { entries: entries(fc.record({ name: anyName, value: one })) }),
   node('variables', { entries: entries(declared) }),
@@ -241,6 +242,9 @@ const declaration = fc.oneof(
         .tuple(fc.record({ name: anyName, definition }), fc.record({ from: anyName }, { requiredKeys: [] }))
         .map(([needed, optional]) => ({ ...needed, ...optional })),
     ),
+  }),
+  node('types', {
+    entries: entries(fc.record({ name: anyName, definition: anyPosition, group: fc.integer({ min: 1, max: 8 }) })),
   }),
   node(
     'routine',

@@ -120,3 +120,40 @@ test('a state that is put back, wherever it was taken, gives the same again', ()
     expect(rest.outcome.state).toEqual(whole.outcome.state);
   }
 });
+
+test('a KAREL program reads what TP has called it with', () => {
+  const asked = karel(`PROGRAM asked
+VAR kind, whole, st, i : INTEGER
+  broken : REAL
+  words : STRING[20]
+BEGIN
+  FOR i = 1 TO 4 DO
+    GET_TPE_PRM(i, kind, whole, broken, words, st)
+    IF st = 0 THEN WRITE(kind, CR); ELSE WRITE('none', CR); ENDIF
+  ENDFOR
+  WRITE(whole, ' ', broken, ' ', words, CR)
+END asked
+`);
+  const { effects } = ended(
+    runController('main', { karel: { asked }, listings: { MAIN: tp('MAIN', "  CALL ASKED(7,2.5,'part')") } }),
+  );
+  const written = effects.map(({ text }) => String(text)).join('');
+  expect(written.split('\n').map((line) => line.trim())).toEqual(['1', '2', '3', 'none', '7 2.5 part', '']);
+});
+
+test('a state in a program that was called by its name as text is put back, too', () => {
+  const first = karel(
+    "PROGRAM first\nVAR i : INTEGER\n  s : STRING[8]\nBEGIN\n  s = 'last'\n  CALL_PROG(s, i)\n  CALL_PROG('other', i)\nEND first\n",
+  );
+  const other = karel("PROGRAM other\nBEGIN\n  WRITE('other', CR)\n  WRITE('again', CR)\nEND other\n");
+  const programs = { karel: { first, other, last: LAST }, listings: {} };
+  const controller = createController('first', programs, { traceSteps: true });
+  const run = goOn(controller);
+  let next = run.next();
+  while (next.value && 'kind' in next.value && next.value.kind !== 'write') next = run.next();
+  const saved = saveController(controller);
+  const rest = ended(run).effects;
+  restoreController(controller, saved);
+  expect(ended(goOn(controller)).effects).toEqual(rest);
+  expect(rest.filter(({ kind }) => kind === 'write')).toHaveLength(1);
+});

@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { expect, test } from 'vitest';
 import { parseKarel } from '../../../src/karel/parser.js';
 import { printKarel } from '../../../src/karel/printer.js';
-import { writeFanucPair } from '../../../src/karel/fanucPair.js';
+import { writePair } from '../../../src/karel/write/pair.js';
 import { runs, SEED } from '../../helpers/property.js';
 import { wrong } from './wrong.js';
 import { anyProgram, anyTokens, withoutSpans } from './anyKarel.js';
@@ -69,15 +69,28 @@ test('the parser survives programs with a piece cut out, doubled or moved', () =
 });
 
 test('the KAREL half of a FANUC pair is read back as its tree', () => {
-  const slides = [false, false, false, false, false, false];
-  const points = [{ name: 'p1', jointValues: [0, 45, -180, 0.125, 45, 0], slides }];
-  const [karel] = writeFanucPair({
-    programName: 'pair',
-    robotName: 'Arm',
-    version: '1',
-    generatedAt: '2026-07-01T12:00:00Z',
-    convention: [],
-    points,
+  const target = {
+    joints: [0, 45, -180, 0.125, 45, 0],
+    position: [1, 2, 3, 4, 5, 6],
+    fanuc: 'N U T, 0, 0, 0',
+    kuka: null,
+  };
+  const manner = /** @type {const} */ ({ acceleration: 100, ending: { kind: 'fine' }, userFrame: 0, tool: 0, step: 0 });
+  const move = /** @type {const} */ ({ kind: 'move', motion: 'joint', speed: { value: 20, unit: '%' }, ...manner });
+  const [karel] = writePair({
+    ...{
+      name: 'pair',
+      robotName: 'Arm',
+      version: '1',
+      generatedAt: '2026-07-01T12:00:00Z',
+      convention: [],
+      frames: [],
+    },
+    slides: Array(6).fill(false),
+    steps: [
+      { ...move, target: { ...target, isJoint: true } },
+      { ...move, target: { ...target, isJoint: false } },
+    ],
   }).files;
   const { tree, diagnostics } = parseKarel(karel.text);
   expect(diagnostics).toEqual([]);

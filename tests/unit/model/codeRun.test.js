@@ -50,8 +50,8 @@ test('it stops before statements, goes into a routine, over it and out of it', (
   expect(run.place()).toMatchObject({ program: 'main', line: 13, depth: 1 });
   run.advance(atLine(9), 100, NOWHERE);
   expect(run.stack()).toEqual([
-    { program: 'main', routine: 'main', line: 15 },
-    { program: 'main', routine: 'twice', line: 9 },
+    { id: 'main', program: 'main', routine: 'main', line: 15 },
+    { id: 'main', program: 'main', routine: 'twice', line: 9 },
   ]);
   expect(run.variables()).toContainEqual({ name: 'x', type: 'INTEGER', value: '1', owner: 'twice' });
   expect(run.variables()).toContainEqual({ name: 'y', type: 'INTEGER', value: UNSET, owner: 'twice' });
@@ -129,7 +129,8 @@ END p
     const end = planMomentAt(planned.plan, duration).posture;
     const T = tcpPose(chain, end);
     expect(T[12]).toBeCloseTo(durations.length === 1 ? 0.4 : 0.5, 6);
-    expect([T[13], T[14], T[0]].map((value) => value.toFixed(6))).toEqual(['0.100000', '0.300000', '1.000000']);
+    // FANUC's world is at the height of axis 2: 671.83 mm
+    expect([T[13], T[14], T[0]].map((value) => value.toFixed(6))).toEqual(['0.100000', '0.971830', '1.000000']);
     posture = Array.from(end, (value) => (value * 180) / Math.PI);
   }
   expect(durations).toHaveLength(2);
@@ -140,7 +141,7 @@ END p
 test('a position that was never set, and a motion that nobody defines, are refused in words', () => {
   const doc = newDocument(firstRobot);
   const refused = (/** @type {Record<string, unknown>} */ effect) =>
-    planOfMove(doc, doc.posture, { kind: 'move', ...effect }, {});
+    planOfMove(doc, doc.posture, { kind: 'move', settings: {}, ...effect }, {});
   expect(refused({ to: 'TO', position: undefined })).toMatchObject({
     message: expect.stringContaining('uninitialised'),
   });

@@ -103,11 +103,21 @@ export const anyMotionCommand = fc.oneof(
     gesture: fc.option(fc.constantFrom('a', 'b'), { nil: undefined }),
   }),
   fc.record({
-    type: fc.constant(/** @type {const} */ ('move-step')),
+    type: fc.constant(/** @type {const} */ ('edit-steps')),
     program: fc.constantFrom(0, 1),
     step: anyIndex,
-    to: anyIndex,
+    to: anySteps,
   }),
+  fc.record(
+    {
+      type: fc.constant(/** @type {const} */ ('move-step')),
+      program: fc.constantFrom(0, 1),
+      step: anyIndex,
+      to: anyIndex,
+      count: fc.constantFrom(0, 1, 2, 1.5),
+    },
+    { requiredKeys: ['type', 'program', 'step', 'to'] },
+  ),
   fc.record({
     type: fc.constant(/** @type {const} */ ('remove-steps')),
     program: fc.constantFrom(0, 1),

@@ -4,6 +4,7 @@ import { LIBRARY, newDocument } from '../../../src/model/library.js';
 import { createMotionPlans, motionMoves, postureAt } from '../../../src/model/program/motionPlan.js';
 import { READY_PROGRAMS, readyProgram } from '../../../src/model/program/readyPrograms.js';
 import { validateDocument } from '../../../src/model/validate.js';
+import { READY_WORDS } from '../../../src/ui/words/ready.js';
 
 /** @typedef {import('../../../src/model/document.js').Doc} Doc */
 /** @typedef {import('../../../src/model/document.js').StepDoc} StepDoc */
@@ -159,15 +160,28 @@ test('a plan is made once for as long as document, program and beginning are the
   expect(plans(doc, doc.motionPrograms[0])).toBe(plan);
 });
 
-const words = { above: '', grip: '', release: '', arc: '', sharp: '', rounded: '' };
-
 test.each(['puma560', 'ur5', 'planar2r'])('ready programs for %s are sound, and can be run', (id) => {
   const doc = newDocument(LIBRARY[id]);
   const plans = createMotionPlans();
-  for (const ready of READY_PROGRAMS.slice(0, id === 'puma560' ? 5 : 2)) {
-    const steps = readyProgram(doc, ready, words);
+  for (const ready of READY_PROGRAMS.filter((_, i) => id === 'puma560' || i < 2 || i > 4)) {
+    const steps = readyProgram(doc, ready, READY_WORDS.comments);
     expect(steps, ready).not.toBeNull();
     const made = withSteps(doc, ...(steps ?? []).map((step) => /** @type {StepDoc} */ ({ ...step, id: 's' })));
     expect(plans(made, made.motionPrograms[0])?.refused, ready).toBe(null);
   }
 });
+
+test.each(['puma560', 'cart_ppp', 'kuka_kr6_r900'])(
+  'the textbook’s points are 10, 35, 25 and 10° of the first joint of %s',
+  (id) => {
+    const doc = newDocument(LIBRARY[id]);
+    const steps = readyProgram(doc, 'points', READY_WORDS.comments) ?? [];
+    const first = steps.map((step) => ('target' in step && 'values' in step.target ? step.target.values[0] : NaN));
+    const [from, farthest] = first;
+    // as in Craig 7.3, but from where the arm begins; a slide goes as far in its own measure
+    const swing = id === 'cart_ppp' ? farthest - from : Math.sign(farthest - from) * 25;
+    expect(Math.abs(swing)).toBeGreaterThan(0);
+    const wanted = [10, 35, 25, 10, 35, 25, 10].map((value) => from + ((value - 10) / 25) * swing);
+    first.forEach((value, i) => expect(value).toBeCloseTo(wanted[i], 4));
+  },
+);

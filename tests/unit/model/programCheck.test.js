@@ -23,6 +23,7 @@ import { createWorkcell } from '../../../src/motion/clearance/workcell.js';
 import { answerPlanQuestion } from '../../../src/motion/planQuestion.js';
 import { planAtOnce } from '../../../src/motion/planner/planAround.js';
 import { createChain } from '../../../src/kinematics/chain.js';
+import { tcpPose } from '../../../src/kinematics/forward.js';
 import { automaticRadii } from '../../../src/render/arm/automaticRadii.js';
 
 /** @import { AppState } from '../../../src/model/session.js' */
@@ -35,6 +36,8 @@ const joints = (values) => ({
   ...{ kind: 'joint', target: { kind: 'posture', values }, speed: 50, speedUnit: '%', acceleration: 100 },
   ...{ ending: { kind: 'percent', value: 50 }, comment: 'there' },
 });
+/** @param {NewStep} step @returns {NewStep} */
+const stopping = (step) => /** @type {NewStep} */ ({ ...step, ending: { kind: 'fine' } });
 /** @type {NewStep} */
 const WAIT = { kind: 'wait', seconds: 1 };
 const POST = /** @type {const} */ ({ kind: 'box', xyz: [480, 60, 400], width: 120, depth: 120, height: 800 });
@@ -66,11 +69,12 @@ function planned(state) {
 /** As the worker does it. @param {AppState} state @param {ReturnType<typeof planned>['planned']} plan */
 function touchesOf(state, plan) {
   const request = checkRequest(state, derived.chain(state.doc), cells, plan);
-  const { chain, radii, obstacles, parts, margin } = structuredClone(request);
-  const check = checkPlan(createWorkcell(armBodies(createChain(chain), radii), obstacles), { parts }, { margin });
+  const { chains, chainOf, radii, obstacles, parts, margin } = structuredClone(request);
+  const among = chains.map((chain) => createWorkcell(armBodies(createChain(chain), radii), obstacles));
+  const check = checkPlan((move) => among[chainOf[move]], { parts }, { margin });
   for (;;) {
     const turn = check.next();
-    if (turn.done) return stepTouches(turn.value, plan, (near) => cells.named(state.doc, near));
+    if (turn.done) return stepTouches(turn.value, plan, state.doc);
   }
 }
 
@@ -85,7 +89,8 @@ test('a program is checked once it is planned and there is something to keep cle
   const moved = reduce(known, { type: 'set-posture', posture: known.doc.posture.map((value) => value + 1) });
   expect(checkNow(moved)).toBeNull(); // it begins elsewhere now
   expect(checkNow(reduce(known, { type: 'remove-obstacle', index: 0 }))).toBeNull();
-  expect(checkWanted(reduce(known, { type: 'remove-obstacle', index: 0 }))).toBeNull();
+  expect(checkWanted(reduce(known, { type: 'remove-obstacle', index: 0 }))).not.toBeNull(); // it may touch itself
+  expect(checkWanted(reduce(known, { type: 'remove-motion-program', program: 0 }))).toBeNull();
   const { workcell } = known.session;
   expect(checkNow(reduce(known, { type: 'show', change: { workcell: { ...workcell, margin: 0.1 } } }))).toBeNull();
   expect(checkNow(reduce(known, { type: 'show', change: { workcell: { ...workcell, isOpen: true } } }))).not.toBeNull();
@@ -119,4 +124,39 @@ test('a colliding move is found, led around, and clear then; undo brings it back
   expect(again.planned.plan.refused).toBeNull();
   expect(touchesOf(again.state, again.planned)).toEqual([]);
   expect(reduce(led, { type: 'undo' }).doc.motionPrograms).toBe(state.doc.motionPrograms);
+});
+
+test('an arm that folds onto itself is told of without any obstacle, in the move that does it', () => {
+  let state = startState(newDocument(LIBRARY.kuka_kr6_r900));
+  const steps = [joints([0, -60, 60, 0, 60, 0]), joints([0, 30, 150, 0, 90, 0]), joints([0, -60, 60, 0, 60, 0])];
+  state = reduce(state, { type: 'add-motion-program', name: 'Folds', steps });
+  const { state: known, planned: plan } = planned(state);
+  const touches = touchesOf(known, plan);
+  expect(touches.map(({ step, obstacle }) => [step, obstacle])).toEqual([
+    [1, null],
+    [2, null],
+  ]);
+  expect(touches[0].other).not.toBeNull();
+});
+
+test('each move is checked with its own tool, a joint move too', () => {
+  let state = start();
+  state = reduce(state, { type: 'add-frame', kind: 'tool', pose: { xyz: [0, 0, 300] } });
+  const [{ id }] = state.doc.frames;
+  state = reduce(state, { type: 'remove-motion-program', program: 0 });
+  // a ball 200 mm ahead of the flange, where only the long tool is
+  const T = tcpPose(derived.chain(state.doc), compilePosture(state.doc.robot, LEFT));
+  const centre = [12, 13, 14].map((k) => 1000 * (T[k] + 0.2 * T[k - 4]));
+  state = reduce(state, { type: 'remove-obstacle', index: 0 });
+  state = reduce(state, { type: 'add-obstacle', obstacle: { kind: 'sphere', xyz: centre, radius: 30 } });
+  const back = LEFT.map((value, i) => (i === 0 ? value - 30 : value));
+  const steps = [joints(back), joints(LEFT), joints(back), { ...joints(LEFT), tool: id }];
+  state = reduce(state, { type: 'add-motion-program', name: 'Tools', steps: steps.map(stopping) });
+  const { state: known, planned: plan } = planned(state);
+  expect(plan.moves.map((move) => 'chain' in move && move.chain !== undefined)).toEqual([false, false, false, true]);
+  expect(touchesOf(known, plan)).toMatchObject([{ step: 3, link: 5 }]);
+  const ends = endsOfMove(plan, 3);
+  if (!ends) throw new Error('It is a joint move.');
+  const asked = aroundRequest(known, derived.chain(known.doc), cells, ends, { seed: 1, iterations: 5 });
+  expect(asked.chain.tool?.[14]).toBeCloseTo(0.3, 9);
 });

@@ -35,7 +35,7 @@ const among = (centres) =>
 
 /** @param {ReturnType<typeof among>} cell @param {ReturnType<typeof planMotion>} plan @param {{ margin?: number }} [options] */
 function checked(cell, plan, options) {
-  const check = checkPlan(cell, plan, options);
+  const check = checkPlan(() => cell, plan, options);
   const shares = [];
   for (;;) {
     const turn = check.next();

@@ -2,6 +2,7 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { createChain } from '../../../src/kinematics/chain.js';
+import { createRandom } from '../../../src/kinematics/random.js';
 import { ENDS, armBodies, writeEnds, writeLevers } from '../../../src/motion/clearance/armBodies.js';
 import { touchOnPath, touchOnWay } from '../../../src/motion/clearance/clearWay.js';
 import { pointDistance } from '../../../src/motion/clearance/obstacles.js';
@@ -333,11 +334,45 @@ describe('a way among obstacles', () => {
     expect(Math.min(seen.apart, seen.folded)).toBeGreaterThan(3);
   });
   test('links that always touch at their joint are no pair, those that a long link keeps apart are', () => {
-    const { stretches, pairs } = armBodies(createChain(publishedArm('puma560')), new Array(6).fill(0.06));
+    const { stretches, pairs } = armBodies(createChain(publishedArm('ur5')), new Array(6).fill(0.06));
     const links = pairs.map(([i, j]) => [stretches[i].link, stretches[j].link]);
-    expect(links).toContainEqual([1, 3]);
-    expect(links).not.toContainEqual([3, 4]);
+    expect(links).toContainEqual([0, 2]);
+    expect(links).not.toContainEqual([2, 3]);
   });
+  test.each(['puma560', 'ur5', 'kuka_kr6_r900', 'stanford', 'scara_cobra600', 'planar3r'])(
+    'of %s, what one joint alone moves against each other is no pair, and nothing else is left out but what is near',
+    (name) => {
+      const description = publishedArm(name);
+      const chain = createChain(description);
+      const { stretches, pairs } = armBodies(
+        chain,
+        chain.joints.map(() => 1e-6), // so thin that nothing is near
+      );
+      const random = createRandom(7);
+      const postures = [1, 2].map(() => chain.joints.map(() => random() + 0.2));
+      /** @param {ArrayLike<number>} q @param {number} i @param {number} j  the places of four points, one seen from the other */
+      const shape = (q, i, j) => {
+        const [one, other] = [i, j].map((k) => {
+          const { link, kind } = stretches[k];
+          return oracleStretches(description, q).find((each) => each.link === link && each.kind === kind)?.ends ?? [];
+        });
+        return one.flatMap((p) => other.map((r) => apart(p, r)));
+      };
+      stretches.forEach((one, i) => {
+        for (let j = i + 1; j < stretches.length; j++) {
+          const movers = chain.joints.filter((_, k) => {
+            const own = stretches[j].kind === 'offset' && k === stretches[j].link; // that only turns or lengthens it
+            const other = postures[0].map((value, m) => (m === k ? postures[1][m] : value));
+            const [before, after] = [shape(postures[0], i, j), shape(other, i, j)];
+            return !own && k > one.link && before.some((value, m) => Math.abs(value - after[m]) > 1e-9);
+          });
+          const isPair = pairs.some(([a, b]) => a === i && b === j);
+          if (isPair) expect(movers.length, `${i}, ${j}`).toBeGreaterThan(1);
+          else expect(stretches[j].link - one.link < 2 || movers.length <= 1, `${i}, ${j}`).toBe(true);
+        }
+      });
+    },
+  );
   test('with nothing around and no links that could meet, there is nothing to be near to', () => {
     const cell = createWorkcell(armBodies(createChain(publishedArm('planar2r')), [0.1, 0.1]), []);
     expect(clearance(cell, [1, 2])).toBeNull();

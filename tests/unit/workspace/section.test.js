@@ -149,6 +149,14 @@ const CASES = [
     null,
   ],
   [
+    'a Cartesian arm, slanting, whose height is not the same either way',
+    cartesian([-0.2, 0.5], [0.1, 0.7], [0.1, 0.4]),
+    { cut: { kind: 'plane', origin: [0.15, 0.4, 0.2], u: [SLANT, 0, SLANT], v: [0, 1, 0] } },
+    rectangle([-0.1 / SLANT, 0.2 / SLANT], [-0.3, 0.3]),
+    (0.3 / SLANT) * 0.6,
+    null,
+  ],
+  [
     'a Cartesian arm, upright',
     cartesian([-0.2, 0.5], [0.1, 0.7], [0, 0.4]),
     { cut: { kind: 'plane', origin: [0, 0.3, 0], u: [1, 0, 0], v: [0, 0, 1] } },

@@ -25,7 +25,7 @@ const known = new Map();
 /** Several tests look at the same one. @param {Chain} chain @param {SectionOptions} options @returns {Section} */
 function sectionOf(chain, options) {
   const key = JSON.stringify([chain.joints, options]);
-  const section = known.get(key) ?? sectionAtOnce(chain, options);
+  const section = known.get(key) ?? sectionAtOnce(chain, { ...options, withVolume: false });
   if (!section) throw new Error('Expected a section.');
   known.set(key, section);
   return section;
@@ -99,7 +99,7 @@ const CASES = [
     60,
     isDeep ? { cell: 1e-3, tolerance: 1e-4 } : COARSE,
   ],
-  ['ur5', (chain) => byAnyOrientation(chain, 12), 10, isDeep ? {} : { cell: 8e-3, tolerance: 1e-3 }],
+  ['ur5', (chain) => byAnyOrientation(chain, 12), 10, isDeep ? {} : { cell: 8e-3, tolerance: 2e-4 }],
 ];
 
 describe('inverse kinematics and the section agree, but for a cell at the boundary,', () => {

@@ -55,3 +55,43 @@ test('a question that makes no sense is answered with why', async () => {
   await until(isOver(6));
   expect(said.at(-1)).toEqual({ id: 6, fault: 'Expected seed to be a whole number, got 0.5.' });
 });
+
+/** All that is said of a section of an arm. @param {number} id @param {object} options */
+async function saidOf(id, options) {
+  said = [];
+  ask({ id, chain, job: { kind: 'section', options } });
+  await until(isOver(id));
+  return said.flatMap((answer) => ('word' in answer && answer.word.first ? [answer.word.first] : []));
+}
+
+test('a section begins with pictures that grow finer, in its own plane', async () => {
+  const [first, second] = await saidOf(7, { cell: 0.02 });
+  expect(first).toMatchObject({ kind: 'meridian', isAnyAngle: true });
+  expect(second.cells.size).toBeLessThan(first.cells.size);
+  const last = said.at(-1);
+  if (!last || !('found' in last) || last.found.kind !== 'section' || !last.found.section)
+    throw new Error('No section.');
+  const { frame, cells, extent } = last.found.section;
+  expect(second.frame).toEqual(frame);
+  // where a posture lands is reached: no cell that is seen lies outside of the section, but by its own width
+  const { u, v, size, columns, reached } = second.cells;
+  reached.forEach((isIn, k) => {
+    if (!isIn) return;
+    const [left, low] = [u + (k % columns) * size, v + Math.floor(k / columns) * size];
+    expect(left + size).toBeGreaterThan((extent?.u[0] ?? 0) - 1e-6);
+    expect(low).toBeLessThan((extent?.v[1] ?? 0) + 1e-6);
+  });
+  expect(cells.size).toBe(0.02);
+});
+
+test('a plane that no joint brings places into has a picture of those that pass by, and no answer', async () => {
+  const pictures = await saidOf(8, { cut: { kind: 'plane', origin: [0, 0, 0.3], u: [1, 0, 0], v: [0, 1, 0] } });
+  expect(pictures).toHaveLength(1);
+  const [{ cells }] = pictures;
+  expect(cells.reached.some(Boolean)).toBe(true);
+  expect(said.at(-1)).toMatchObject({ found: { kind: 'section', section: null } });
+  // Puma 560 reaches 0.8779 m from the shoulder (0.4318, 0.4323 and 0.15005 m), whose height is 0.67183 m
+  const farthest = Math.sqrt((0.4318 + Math.hypot(0.4318, 0.0203)) ** 2 + 0.15005 ** 2 - (0.67183 - 0.3) ** 2);
+  expect(cells.u).toBeGreaterThan(-farthest - 2 * cells.size);
+  expect(cells.u + cells.columns * cells.size).toBeLessThan(farthest + 2 * cells.size);
+});

@@ -1,0 +1,134 @@
+/**
+ * A program of the document as files for a controller: in which form, with which options, and what is against it. Where code has
+ * not been verified yet, its header says so.
+ *
+ * @import { Doc } from '../document.js'
+ * @import { Issue } from '../issues.js'
+ * @import { CodeSource } from './codeSource.js'
+ * @import { MadeProgram } from './neutralProgram.js'
+ * @import { CodeFile, WriteNote, Written } from '../../karel/write/neutral.js'
+ * @import { Writer } from './certificate.js'
+ *
+ * @typedef {'pair' | 'tp' | 'karel-move' | 'krl'} CodeFormat
+ *
+ * @typedef {object} CodeOptions
+ * @property {string} [programName]     absent: from what it is written of
+ * @property {number} [firstRegister]   of the pair
+ * @property {number} [speed]           % (codeSource.js)
+ * @property {string} [userFrame]       in which all positions are; '' for the world; absent: as the steps have it
+ * @property {Readonly<Record<string, number>>} [numbers]  of frames, by frameKey
+ *
+ * @typedef {object} WriteRequest
+ * @property {CodeSource} source
+ * @property {CodeFormat} format
+ * @property {CodeOptions} options
+ * @property {readonly number[]} start   where the arm stands at first
+ * @property {string} version
+ * @property {string} generatedAt   ISO 8601
+ *
+ * @typedef {object} WrittenCode
+ * @property {Doc} doc              as it was written of: with speeds as asked
+ * @property {WriteRequest} request
+ * @property {readonly CodeFile[]} files   none where an issue is an error
+ * @property {readonly WriteNote[]} notes
+ * @property {readonly Issue[]} issues
+ * @property {MadeProgram | null} made
+ */
+import { writeKarelMove } from '../../karel/write/karelMove.js';
+import { writeKrl } from '../../karel/write/krl.js';
+import { LARGEST_VALUE } from '../../karel/write/neutral.js';
+import { writePair } from '../../karel/write/pair.js';
+import { writeTp } from '../../karel/write/tp.js';
+import { postureFromKernel } from '../compile.js';
+import { issue } from '../refusalParts.js';
+import { uncheckedLines, withCertificate } from './certificate.js';
+import { postureIssues, robotIssues } from './controllerIssues.js';
+import { firstName, sourceProgram } from './codeSource.js';
+import { neutralInSlices } from './neutralProgram.js';
+
+/** In the order in which they are offered. @type {Readonly<Record<CodeFormat, { brand: 'fanuc' | 'kuka', write: Writer }>>} */
+export const FORMATS = {
+  pair: { brand: 'fanuc', write: writePair },
+  tp: { brand: 'fanuc', write: writeTp },
+  'karel-move': { brand: 'fanuc', write: writeKarelMove },
+  krl: { brand: 'kuka', write: writeKrl },
+};
+
+/** Position registers that a controller can be set up for (HandlingTool operator's manual, section 19). */
+export const MAX_REGISTERS = 2000;
+
+/**
+ * What code is to be held against: the moves of what it is, or was, written of.
+ * @param {Doc} doc
+ * @param {CodeSource} source
+ * @param {'fanuc' | 'kuka'} brand
+ * @param {Omit<WriteRequest, 'source' | 'format'>} request
+ * @returns {Generator<number, { doc: Doc, made: MadeProgram | null, issues: readonly Issue[] }>}
+ */
+export function* madeOf(doc, source, brand, { options, start, version, generatedAt }) {
+  const { doc: asked, program } = sourceProgram(doc, source, options.speed);
+  const { userFrame, numbers } = options;
+  const given = { brand, version, generatedAt, start, numbers, ...(userFrame !== undefined && { userFrame }) };
+  return { doc: asked, ...(yield* neutralInSlices(asked, program, given)) };
+}
+
+/**
+ * @param {Doc} doc
+ * @param {WriteRequest} request
+ * @returns {Generator<number, WrittenCode>}
+ */
+export function* writeCode(doc, request) {
+  const { source, format, options, version } = request;
+  const { brand, write } = FORMATS[format];
+  const { doc: asked, made, issues } = yield* madeOf(doc, source, brand, request);
+  const none = { doc: asked, request, files: [], notes: [], made: null };
+  if (!made) return { ...none, issues };
+  const all = [...robotIssues(doc.robot, brand), ...targetIssues(asked, made), ...registerIssues(made, request)];
+  if (all.some(({ severity }) => severity === 'error')) return { ...none, issues: all };
+  const checked = { ...made.program, check: uncheckedLines(doc.robot, version) };
+  const written = write(checked, { ...options, programName: options.programName ?? firstName(doc, source) });
+  return { ...written, doc: asked, request, issues: all, made };
+}
+
+/**
+ * The same files with what a run of them has shown.
+ * @param {WrittenCode} written  with files
+ * @param {{ deviation: { millimetres: number, degrees: number } }} verification
+ * @returns {readonly CodeFile[]}
+ */
+export function certified({ doc, request, made }, { deviation }) {
+  const { source, format, options } = request;
+  if (!made) throw new RangeError('Expected code that was written, got none.');
+  const asked = { ...options, programName: options.programName ?? firstName(doc, source) };
+  return withCertificate(made.program, FORMATS[format].write, asked, doc.robot, deviation).files;
+}
+
+/** What is to be known of the postures that become joint values. @param {Doc} doc @param {MadeProgram} made @returns {Issue[]} */
+function targetIssues({ robot }, { moves }) {
+  return moves.flatMap(({ move, followed }) => {
+    const { joints, position, isJoint } = move.target;
+    const id = move.step < 0 ? 'the start' : `step ${move.step + 1}`;
+    const far = position.find((value) => Math.abs(value) > LARGEST_VALUE);
+    if (far !== undefined && !isJoint)
+      return [
+        issue(
+          'value-too-large',
+          `steps.${move.step}`,
+          `Step ${move.step + 1} is ${far} mm away; a controller takes ±${LARGEST_VALUE}.`,
+        ),
+      ];
+    if (move.motion !== 'joint') return [];
+    const q = postureFromKernel(robot, followed.end);
+    return postureIssues(robot, { id, q, pendant: joints, index: move.step });
+  });
+}
+
+/** @param {MadeProgram} made @param {WriteRequest} request @returns {Issue[]} */
+function registerIssues({ moves }, { format, options: { firstRegister = 1 } }) {
+  if (format !== 'pair') return [];
+  const count = moves.reduce((sum, { move }) => sum + (move.via ? 2 : 1), 0);
+  const last = firstRegister + count - 1;
+  if (last <= MAX_REGISTERS) return [];
+  const message = `The targets take ${count} position registers, PR[${firstRegister}] to PR[${last}]; a controller has ${MAX_REGISTERS} at most. Begin with a lower one, or write TP alone.`;
+  return [issue('registers', 'firstRegister', message)];
+}

@@ -1,0 +1,47 @@
+/**
+ * Long jobs as generators of how far they are: done at once, or in slices so short that the page stays quick.
+ *
+ * @import { Clock } from './clock.js'
+ */
+
+/** s */
+const SLICE = 0.012;
+
+/**
+ * @template Result
+ * @param {Generator<number, Result>} job
+ * @returns {Result}
+ */
+export function atOnce(job) {
+  for (;;) {
+    const turn = job.next();
+    if (turn.done) return turn.value;
+  }
+}
+
+/**
+ * @template Result
+ * @param {Generator<number, Result>} job   yields the share that is done
+ * @param {Pick<Clock, 'now' | 'after'>} clock
+ * @param {{ onProgress?: (share: number) => void, onDone: (result: Result) => void, onFault: (error: unknown) => void }} told
+ * @returns {() => void} gives the job up: nothing more is told of it
+ */
+export function inSlices(job, clock, { onProgress, onDone, onFault }) {
+  let cancel = clock.after(0, slice);
+  function slice() {
+    const end = clock.now() + SLICE;
+    try {
+      for (;;) {
+        const turn = job.next();
+        if (turn.done) return onDone(turn.value);
+        if (clock.now() < end) continue;
+        onProgress?.(turn.value);
+        cancel = clock.after(0, slice);
+        return;
+      }
+    } catch (error) {
+      onFault(error);
+    }
+  }
+  return () => cancel();
+}

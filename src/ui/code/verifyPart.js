@@ -1,0 +1,137 @@
+/**
+ * Below the code: verifying what is shown, and saving it if nothing is against that.
+ *
+ * @import { Page } from '../page.js'
+ * @import { Verified } from './codeVerifier.js'
+ * @import { CodeWriter } from './codeWriter.js'
+ * @import { ProgramDoc } from '../../model/document.js'
+ * @import { CodeFile } from '../../karel/write/neutral.js'
+ */
+import $ from 'jquery/slim';
+import { recertified } from '../../model/controller/certificate.js';
+import { certified } from '../../model/controller/writeCode.js';
+import { attempt, newGesture } from '../page.js';
+import { fill, h } from '../parts/dom.js';
+import { download } from '../parts/download.js';
+import { fixed } from '../parts/format.js';
+import { VERIFY } from '../words/writeCode.js';
+import { createCodeVerifier } from './codeVerifier.js';
+import { ownQuestion } from './ownLine.js';
+import { drawVerification } from './verificationView.js';
+
+/**
+ * @param {Page} page
+ * @param {object} given
+ * @param {CodeWriter} given.writer
+ * @param {() => ProgramDoc | null} given.ownChosen  null: what is written is shown
+ * @param {() => void} given.redraw
+ * @param {string} given.version
+ * @param {() => string} given.today
+ */
+export function createVerifyPart(page, { writer, ownChosen, redraw, version, today }) {
+  const { store, clock, announce } = page;
+  const verifier = createCodeVerifier(page, redraw, draw);
+  const element = h('section', { class: 'verify', 'aria-label': VERIFY.region, hidden: true });
+
+  /** Whose code is shown. */
+  const about = () => ownChosen() ?? writer.written();
+  const foundNow = () => verifier.found(about());
+
+  /** @param {Verified} found */
+  function saveIfSound(found) {
+    clock.onFrame(() => element.scrollIntoView({ block: 'nearest' })); // when it is drawn
+    if (found.verification.findings.some(({ severity }) => severity === 'error')) return announce(VERIFY.notSaved);
+    found.fate = 'saved';
+    save(found.files, VERIFY.saved);
+  }
+
+  /** Texts of the document that do what their program does get their certificate, in one step to undo. @param {Verified} found @param {readonly string[]} ids */
+  function certifyOwn(found, ids) {
+    const { matches, isCompared, deviation } = found.verification;
+    if (!matches || !isCompared) return;
+    const { robot, programs } = store.state.doc;
+    const files = recertified(found.files, robot, version, deviation);
+    if (!files) return;
+    found.files = files;
+    const gesture = newGesture();
+    for (const [i, id] of ids.entries()) {
+      const text = files[i].text.replaceAll('\r\n', '\n');
+      if (programs.some((program) => program.id === id)) attempt(page, { type: 'edit-code', id, text, gesture });
+    }
+    store.dispatch({ type: 'end-gesture' });
+    verifier.follow(ownChosen());
+  }
+
+  /** @param {readonly CodeFile[]} files @param {(names: string) => string} said */
+  function save(files, said) {
+    for (const { name, text } of files) download(name, text, 'text/plain', clock);
+    announce(said(files.map(({ name }) => name).join(', ')));
+  }
+
+  $(element)
+    .on('click', '[data-action=cancel]', () => {
+      verifier.giveUp();
+      announce(VERIFY.cancelled);
+    })
+    .on('click', '[data-action=force]', () => {
+      const found = foundNow();
+      if (!found) return;
+      found.fate = 'forced';
+      save(found.files, VERIFY.savedUnverified);
+      redraw();
+    });
+
+  function draw() {
+    const [progress, found] = [verifier.progress(about()), foundNow()];
+    const isWhole = element.querySelector('.verify-moves')?.hasAttribute('open') ?? false;
+    element.hidden = progress === null && found === null;
+    if (progress !== null)
+      fill(
+        element,
+        h(
+          'div',
+          { class: 'verify-head' },
+          h('progress', { max: 1, value: progress, 'aria-label': VERIFY.region }),
+          h('p', {}, VERIFY.isRunning(fixed(100 * progress, 0))),
+          h('button', { type: 'button', class: 'btn btn-small btn-outline', 'data-action': 'cancel' }, VERIFY.cancel),
+        ),
+      );
+    else if (found) fill(element, drawVerification(found, store.state.doc.robot, isWhole));
+    else fill(element);
+  }
+
+  return {
+    element,
+    verify() {
+      const own = ownChosen();
+      if (own) {
+        const question = ownQuestion(page, writer, own, { version, today });
+        return verifier.ask(question, (found) => {
+          certifyOwn(found, question.ids);
+          saveIfSound(found);
+        });
+      }
+      const written = writer.written();
+      if (!written?.made) return;
+      const { doc, made, request, files } = written;
+      const question = {
+        ...{ files, about: written },
+        *prepare() {
+          yield 0;
+          return { doc, made, start: request.start };
+        },
+      };
+      verifier.ask(question, (found) => {
+        if (found.verification.matches) found.files = certified(written, found.verification);
+        saveIfSound(found);
+      });
+    },
+    /** What was written, with its certificate, if it has been verified as it is. */
+    filesSaved() {
+      const written = writer.written();
+      const found = written && verifier.found(written);
+      return found && found.fate === 'saved' ? found.files : null;
+    },
+    draw,
+  };
+}

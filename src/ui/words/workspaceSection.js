@@ -1,0 +1,90 @@
+/** The section of the workspace. Numbers come with their units. */
+
+export const SECTION = {
+  cut: {
+    label: 'Where it is cut',
+    name: { own: 'The arm’s own', angle: 'At an angle', plane: 'A plane' },
+  },
+  about: {
+    meridian: 'The half-plane through the axis of the first joint that turns: how far out, and how high.',
+    flat: 'The plane that this arm never leaves.',
+    plane: 'A plane that a slide of this arm brings its places into.',
+  },
+  anyAngle: 'At whatever angle that joint stands.',
+  oneAngle: 'At this angle of it only.',
+  whole: 'The joint has a full turn: the section turned once about the axis is all that is reached.',
+  swept: (/** @type {string} */ joint, /** @type {string} */ from, /** @type {string} */ to) =>
+    `${joint} turns from ${from} to ${to} only: what is reached is what the section sweeps through that range.`,
+  angle: 'Angle',
+  angleLabel: (/** @type {string} */ unit) => `Angle of the half-plane, ${unit}`,
+  normal: 'Normal x y z',
+  normalLabel: 'Normal of the plane, three numbers',
+  normalWrong: 'Three numbers that are not all zero, please; the last ones stay.',
+  threeNumbers: (/** @type {number} */ came) => `Three numbers, please, not ${came}; the last ones stay.`,
+  offset: 'From the origin',
+  offsetLabel: (/** @type {string} */ unit) => `Distance of the plane from the origin along its normal, ${unit}`,
+  offsetWrong: 'A distance of less than ten kilometres, please; the last one stays.',
+  cell: 'Cells',
+  cellLabel: (/** @type {string} */ unit) => `Edge of a cell, ${unit}`,
+  cellWrong: (/** @type {string} */ least, /** @type {string} */ most) =>
+    `From ${least} to ${most}, please, so that there are not too many to keep; the last one stays.`,
+  finer: (/** @type {string} */ cell) => `${cell} cells`,
+  precise: 'Trace the boundary to 0.05 mm',
+  none: 'There is no answer for this plane yet: no joint of this arm brings its places into it, or the arm has more joints than can be solved in closed form. The arm’s own section may be known.',
+  onlyFirst:
+    'Only this picture is known of it so far: cells in which one of the sampled postures lands. No joint of this arm brings its places into this plane, or more of them move the tool point than can be solved in closed form, so nothing is traced or measured here.',
+  noneOwn: 'There is no answer for this arm yet. A plane may be known: choose one.',
+  empty: 'Nothing of the plane is reached.',
+  axes: {
+    meridian: ['distance from the axis', 'height along it'],
+    flat: ['x', 'y'],
+    plane: ['across', 'up'],
+  },
+  axisUnit: (/** @type {string} */ name, /** @type {string} */ unit) => `${name}, ${unit}`,
+  drawing: 'Drawing of the section',
+  drawingHelp:
+    'Arrow keys move the cross, with Shift in larger steps; plus and minus zoom, 0 shows all of it. So does the wheel, with Ctrl or once the drawing has the focus.',
+  zoomIn: 'Zoom in',
+  zoomOut: 'Zoom out',
+  all: 'Show all of it',
+  reading: (/** @type {string} */ u, /** @type {string} */ v, /** @type {boolean} */ isIn) =>
+    `${u} · ${v} ${isIn ? 'reached' : 'not reached'}`,
+  readingInWords: (/** @type {string} */ u, /** @type {string} */ v, /** @type {boolean} */ isIn) =>
+    `${u} across, ${v} up: ${isIn ? 'reached' : 'not reached'}.`,
+  pointAt: 'Point at the drawing to read a place',
+  coarse: 'A first picture, from sampled postures',
+  result: {
+    area: 'Area',
+    volume: 'Volume',
+    across: 'Across',
+    up: 'Up',
+    holes: 'Holes',
+    boundary: 'Boundary',
+    cells: 'Cells',
+    range: (/** @type {string} */ from, /** @type {string} */ to) => `${from} to ${to}`,
+    noHoles: 'none',
+    traced: (/** @type {string} */ points, /** @type {string} */ length) => `${points} points, within ${length}`,
+    cellsValue: (/** @type {string} */ columns, /** @type {string} */ rows, /** @type {string} */ size) =>
+      `${columns} × ${rows} of ${size}`,
+  },
+  hole: (/** @type {string} */ area, /** @type {string} */ across, /** @type {string} */ up) =>
+    `${area}; across ${across}, up ${up}`,
+  holesList: 'Holes and voids',
+  proven:
+    'Proven: on which side of each line the arm reaches is known from closed-form inverse kinematics, up to rounding.',
+  estimated:
+    'An estimate: this arm has joints to spare, so it is known from postures that were found on which side of each line it reaches. A part that is hardly ever hit may be missing; the area is counted in cells, with those at the edge as its error.',
+  gap: (/** @type {string} */ length) => `The longest stretch of boundary that was not found: ${length}.`,
+  noVolume: 'Not known for this arm',
+  inWords: {
+    area: (/** @type {string} */ area, /** @type {string} */ holes) => `The section’s area is ${area}, ${holes}.`,
+    holes: (/** @type {number} */ count) =>
+      count === 0 ? 'without holes' : count === 1 ? 'with one hole' : `with ${count} holes`,
+    extent: (/** @type {string[]} */ ...ranges) => `It extends over ${ranges.join(', and ')}.`,
+    along: (/** @type {string} */ name, /** @type {string} */ from, /** @type {string} */ to) =>
+      `${name} from ${from} to ${to}`,
+    volume: (/** @type {string} */ volume) => `What it sweeps is ${volume}.`,
+    proven: 'Proven by inverse kinematics.',
+    estimated: 'An estimate, from postures that were found.',
+  },
+};

@@ -1,0 +1,167 @@
+/** What verification finds in code: altered digits, other postures, frames, speeds and corners, each on its line; and certificates. */
+import { expect, test } from 'vitest';
+import { writeTp } from '../../../src/karel/write/tp.js';
+import { certificateStatus, readCertificate, withCertificate } from '../../../src/model/controller/certificate.js';
+import { verifyCode } from '../../../src/model/controller/verifyCode.js';
+import { LIBRARY, newDocument } from '../../../src/model/library.js';
+import { documentOf, fixed, FIXED, madeOf, WRITERS } from './codePrograms.js';
+
+test('a certificate fits its files, and no others: any digit that is another one, another file of the set, another arm', () => {
+  for (const [write, brand] of WRITERS) {
+    const { doc, made } = fixed('fanuc_m10ia', brand);
+    const { deviation } = verifyCode(doc, made, write(made.program).files);
+    const { files } = withCertificate(made.program, write, {}, doc.robot, deviation);
+    expect(certificateStatus(files, doc.robot)).toEqual(files.map(() => 'valid'));
+    expect(readCertificate(files[0].text)).toMatchObject({ version: '0.1.0' });
+    expect(readCertificate(files[0].text)?.millimetres).toBeGreaterThanOrEqual(deviation.millimetres);
+    expect(verifyCode(doc, made, files).matches).toBe(true);
+    const dos = files.map((file) => ({ ...file, text: file.text.replace(/\r?\n/g, '\n') }));
+    expect(certificateStatus(dos, doc.robot)).toEqual(files.map(() => 'valid'));
+    const digits = [...files[0].text.matchAll(/\d/g)].map(({ index }) => index);
+    for (let i = 0; i < digits.length; i += Math.ceil(digits.length / 60)) {
+      const at = digits[i];
+      const { text } = files[0];
+      const other = text.slice(0, at) + ((Number(text[at]) + 1) % 10) + text.slice(at + 1);
+      const [status] = certificateStatus([{ ...files[0], text: other }, ...files.slice(1)], doc.robot);
+      expect(status).not.toBe('valid');
+    }
+    if (files.length > 1) expect(certificateStatus([files[0]], doc.robot)).toEqual(['other-files']);
+    expect(certificateStatus(files, LIBRARY.puma560)).toEqual(files.map(() => 'other-model'));
+    expect(certificateStatus(write(made.program).files, doc.robot)).toEqual(files.map(() => 'none'));
+  }
+});
+
+test('a digit of a move that is another one is found by running the code, on its line', () => {
+  for (const [write, brand] of WRITERS) {
+    const { doc, made } = fixed('fanuc_m10ia', brand);
+    const { files } = write(made.program);
+    const numbers = files.flatMap(({ text }, f) =>
+      [...text.matchAll(/(?<=[ =(,-])(\d+)\.(\d)\d\d(?!\d)/g)].map(({ index, 1: whole }) => [
+        f,
+        index + whole.length - 1,
+        index,
+      ]),
+    );
+    expect(numbers.length).toBeGreaterThan(25);
+    for (let i = 0; i < numbers.length; i += 3) {
+      const [f, at] = numbers[i];
+      const changed = files.map((file, k) =>
+        k === f
+          ? { ...file, text: file.text.slice(0, at) + ((Number(file.text[at]) + 1) % 10) + file.text.slice(at + 1) }
+          : file,
+      );
+      const { matches, findings } = verifyCode(doc, made, changed);
+      expect(matches).toBe(false);
+      expect(findings.filter(({ severity, line }) => severity === 'error' && line > 0).length).toBeGreaterThan(0);
+    }
+  }
+});
+
+test('a wrong configuration, frame, speed, corner or motion type is found on its line', () => {
+  const { doc, made } = fixed('fanuc_m10ia', 'fanuc');
+  const [file] = writeTp(made.program).files;
+  const lineOf = (/** @type {RegExp} */ pattern) => file.text.split('\n').findIndex((line) => pattern.test(line)) + 1;
+  const found = (/** @type {RegExp} */ from, /** @type {string} */ to) => {
+    expect(file.text).toMatch(from);
+    const { findings, matches } = verifyCode(doc, made, [{ ...file, text: file.text.replace(from, to) }]);
+    expect(matches).toBe(false);
+    return findings
+      .filter(({ severity }) => severity === 'error')
+      .map(({ line, message }) => `${line} ${message}`)
+      .join('\n');
+  };
+  expect(found(/UTOOL_NUM=0/, 'UTOOL_NUM=7')).toContain('tool 7');
+  expect(found(/J P\[1\] 20%/, 'J P[1] 30%')).toContain(
+    `${lineOf(/J P\[1\]/)} This is not as in the program: a speed of 30 %, not 20`,
+  );
+  expect(found(/L P\[2\]/, 'J P[2]')).toContain(String(lineOf(/L P\[2\]/)));
+  expect(found(/CNT50/, 'FINE')).toContain('it stops at the end');
+  expect(found(/(P\[3\]\{[^']*')[NF]/, '$1F')).toContain(
+    `${lineOf(/J P\[3\]/)} This is not as in the program: another posture`,
+  );
+  expect(found(/ {2}\d+:J P\[3\].*;\r\n/, '')).toContain('makes 4 moves, the program 5');
+});
+
+test('a speed that a controller does not take is said; another one, or one in another unit, is an error', () => {
+  const quick = FIXED.map((step) => (step.kind === 'linear' ? { ...step, speed: 500 } : step));
+  const tried = madeOf(documentOf('fanuc_m10ia', quick), 'fanuc');
+  if (!tried) throw new Error('Expected a program.');
+  const [file] = writeTp(tried.made.program).files;
+  const { matches, findings } = verifyCode(tried.doc, tried.made, [file]);
+  expect(matches).toBe(true);
+  expect(findings.filter(({ code }) => code === 'speed-limit').map(({ message }) => message)).toEqual([
+    'The program asks for 2500 mm/s; the controller takes 2000.',
+    'The program asks for 2500 mm/s; the controller takes 2000.',
+  ]);
+  for (const other of ['1999mm/sec', '300deg/sec']) {
+    const changed = { ...file, text: file.text.replace('2000mm/sec', other) };
+    expect(verifyCode(tried.doc, tried.made, [changed]).matches).toBe(false);
+  }
+});
+
+test('code of a person is run from where the arm is, and looked at without a program', () => {
+  const doc = { ...newDocument(LIBRARY.fanuc_m10ia), posture: [0, 0, 0, 0, -40, 0] };
+  /** @type {(name: string, language: 'karel' | 'fanuc-tp', lines: string[]) => import('../../../src/karel/write/neutral.js').CodeFile} */
+  const fileOf = (name, language, lines) => ({ name, language, text: lines.join('\n') + '\n' });
+  const karel = fileOf('up.kl', 'karel', [
+    ...['PROGRAM up', 'VAR', '  here : XYZWPR', 'BEGIN', '  here = CURPOS(0, 0)', '  here.z = here.z + 50.0'],
+    ...[
+      '  WITH $MOTYPE = LINEAR, $SPEED = 100.0 MOVE TO here',
+      '  here.z = here.z + 9000.0',
+      '  MOVE TO here',
+      'END up',
+    ],
+  ]);
+  const up = verifyCode(doc, null, [karel]);
+  expect(up).toMatchObject({ isCompared: false, matches: false, moves: [{ line: 7, motion: 'linear' }] });
+  expect(up.findings.map(({ line, code }) => [line, code])).toEqual([
+    [7, 'deprecated-move'],
+    [7, 'frames'],
+    [9, 'deprecated-move'],
+    [9, 'impossible'],
+  ]);
+  const near = fileOf('n.kl', 'karel', [
+    'PROGRAM n',
+    'VAR',
+    '  a : XYZWPR',
+    'BEGIN',
+    '  a = CURPOS(0, 0)',
+    '  MOVE NEAR a BY 10',
+    'END n',
+  ]);
+  expect(verifyCode(doc, null, [near]).findings.at(-1)).toMatchObject({ severity: 'error', line: 6 });
+  const unset = fileOf('u.kl', 'karel', [
+    'PROGRAM u',
+    'VAR',
+    '  a : XYZWPR',
+    'BEGIN',
+    '  a.x = 1.0',
+    '  MOVE TO a',
+    'END u',
+  ]);
+  expect(verifyCode(doc, null, [unset]).matches).toBe(false);
+  const tp = fileOf('lift.ls', 'fanuc-tp', [
+    ...[
+      '/PROG  LIFT',
+      '/ATTR',
+      'DEFAULT_GROUP\t= 1,*,*,*,*;',
+      '/MN',
+      '   1:  PR[1]=LPOS ;',
+      '   2:  PR[1,3]=PR[1,3]+30 ;',
+    ],
+    ...['   3:L PR[1] 100mm/sec FINE    ;', '/POS', '/END'],
+  ]);
+  const krl = {
+    name: 'k.src',
+    language: /** @type {const} */ ('krl'),
+    text: 'DEF k ( )\nBAS (#TOOL,0)\nPTP XP1\nEND\n',
+  };
+  const dat = { ...krl, name: 'k.dat', text: 'DEFDAT k\nDECL POS XP1={X 900,Y 100,Z 900,A 0,B 90,C 0}\nENDDAT\n' };
+  expect(verifyCode(doc, null, [krl, dat]).findings.map(({ code, line }) => [code, line])).toEqual([
+    ['frames', 3],
+    ['no-status', 3],
+  ]);
+  const lift = verifyCode(doc, null, [tp]);
+  expect(lift.moves).toHaveLength(1);
+  expect(lift.findings.map(({ code, line }) => [code, line])).toEqual([['frames', 7]]);
+});

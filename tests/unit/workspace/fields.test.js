@@ -1,0 +1,209 @@
+/** Sections of arms with joints to spare: closed forms, another seed, and places that no cell may miss; and what curves make of a plane. */
+import fc from 'fast-check';
+import { describe, expect, test } from 'vitest';
+import { createChain } from '../../../src/kinematics/chain.js';
+import { arranged, endsOf, ringsOf } from '../../../src/workspace/arrangement.js';
+import { createSampler } from '../../../src/workspace/sampler.js';
+import { sectionAtOnce } from '../../../src/workspace/section.js';
+import { runs, SEED } from '../../helpers/property.js';
+import { publishedArm } from '../kinematics/publishedArms.js';
+import { annulus, planar } from './arms.js';
+
+/** @import { ChainDescription } from '../../../src/kinematics/chain.js' */
+/** @import { Section, SectionOptions } from '../../../src/workspace/section.js' */
+/** @import { Traced, Vertex } from '../../../src/workspace/traced.js' */
+/** @import { Inside } from './arms.js' */
+
+const isDeep = Boolean(process.env.DENAVIT_DEEP);
+const QUARTER = Math.PI / 2;
+
+/** @param {ChainDescription} arm @param {SectionOptions} [options] @returns {Section} */
+function sectionOf(arm, options) {
+  const section = sectionAtOnce(createChain(arm), options);
+  if (!section) throw new Error('Expected a section.');
+  return section;
+}
+
+/** @param {Section} section @param {Inside} inside */
+function farthestOff({ outlines }, inside) {
+  let worst = 0;
+  for (const { places } of outlines) {
+    const n = places.length / 2;
+    for (let i = 0; i < n; i++) {
+      const j = (i + 1) % n;
+      for (const t of [0, 0.5]) {
+        const [u, v] = [0, 1].map((k) => places[2 * i + k] * (1 - t) + places[2 * j + k] * t);
+        worst = Math.max(worst, Math.abs(inside(u, v)));
+      }
+    }
+  }
+  return worst;
+}
+
+/**
+ * Three links whose first joint turns a quarter either way, the others all the way round: places no farther from the arc that the
+ * elbow runs on than the two others are long together. (Nowhere are all places of the arc nearer than their difference.)
+ * @type {Inside}
+ */
+const aroundArc = (x, y) => {
+  const [elbow, rest] = [0.5, 0.45];
+  const toArc = x >= 0 ? Math.abs(Math.hypot(x, y) - elbow) : Math.hypot(x, Math.abs(y) - elbow);
+  return rest - toArc;
+};
+
+describe('the section of a planar 3R arm', () => {
+  test.each([
+    ['without limits', planar([0.5, 0.3, 0.15]), annulus(0.05, 0.95), Math.PI * (0.95 ** 2 - 0.05 ** 2)],
+    [
+      'with a limited shoulder',
+      planar([0.5, 0.3, 0.15], [[-QUARTER, QUARTER]]),
+      aroundArc,
+      QUARTER * (0.95 ** 2 - 0.05 ** 2) + Math.PI * 0.45 ** 2,
+    ],
+  ])('%s: boundary, area and cells are what its closed form says', (_name, arm, inside, area) => {
+    const section = sectionOf(arm, { cell: isDeep ? 4e-3 : 0.02 });
+    expect(farthestOff(section, inside)).toBeLessThan(5e-5);
+    expect(Math.abs(section.area - area)).toBeLessThan(section.areaError);
+    expect(section.areaError).toBeLessThan(1e-3 * area);
+    expect(section.gap).toBeLessThan(1e-4);
+    const { cells } = section;
+    let wrong = 0;
+    for (let k = 0; k < cells.reached.length; k++) {
+      const u = cells.u + ((k % cells.columns) + 0.5) * cells.size;
+      const v = cells.v + (Math.floor(k / cells.columns) + 0.5) * cells.size;
+      if (Math.abs(inside(u, v)) > 5e-5 && cells.reached[k] !== Number(inside(u, v) > 0)) wrong++;
+    }
+    expect(wrong).toBe(0);
+  });
+
+  test('with all its joints limited: as two links reach it from somewhere that the first can be', () => {
+    const limits = [[-QUARTER, QUARTER], [0, 2], [-1, 1]]; // prettier-ignore
+    const { cells, area, areaError } = sectionOf(planar([0.5, 0.3, 0.15], limits), { cell: 0.01 });
+    /** Whether two links reach a place seen from the elbow: the cosine rule, both bends. @param {number} x @param {number} y */
+    const isReachedByTwo = (x, y) => {
+      const cosine = (x * x + y * y - 0.3 ** 2 - 0.15 ** 2) / (2 * 0.3 * 0.15);
+      if (Math.abs(cosine) > 1) return false;
+      return [Math.acos(cosine), -Math.acos(cosine)].some((bend) => {
+        const turn = Math.atan2(y, x) - Math.atan2(0.15 * Math.sin(bend), 0.3 + 0.15 * Math.cos(bend));
+        const q = turn - 2 * Math.PI * Math.round((turn - 1) / (2 * Math.PI));
+        return q >= 0 && q <= 2 && Math.abs(bend) <= 1;
+      });
+    };
+    const steps = isDeep ? 4000 : 1000;
+    let [count, wrong] = [0, 0];
+    for (let k = 0; k < cells.reached.length; k += isDeep ? 1 : 31) {
+      const at = (/** @type {number} */ i, /** @type {number} */ j) =>
+        cells.reached[k + i + j * cells.columns] === cells.reached[k];
+      if (![-1, 0, 1].every((i) => [-1, 0, 1].every((j) => at(i, j)))) continue; // at the boundary
+      const u = cells.u + ((k % cells.columns) + 0.5) * cells.size;
+      const v = cells.v + (Math.floor(k / cells.columns) + 0.5) * cells.size;
+      let isReached = false;
+      for (let s = 0; s <= steps && !isReached; s++) {
+        const q = -QUARTER + (s / steps) * Math.PI;
+        const [x, y] = [u - 0.5 * Math.cos(q), v - 0.5 * Math.sin(q)];
+        isReached = isReachedByTwo(Math.cos(q) * x + Math.sin(q) * y, Math.cos(q) * y - Math.sin(q) * x);
+      }
+      count++;
+      if (isReached !== (cells.reached[k] === 1)) wrong++;
+    }
+    expect(wrong).toBe(0);
+    expect(count).toBeGreaterThan(isDeep ? 10_000 : 300);
+    expect(areaError).toBeLessThan(1e-3 * area);
+  });
+});
+
+describe('the section of an arm with joints to spare closes, and misses no place that is sampled:', () => {
+  test.each(['ur10', 'kuka_youbot', ...(isDeep ? ['ur5', 'kuka_kr6_r900', 'kuka_kr210_l150', 'kinova_jaco'] : [])])(
+    '%s',
+    (name) => {
+      const arm = publishedArm(name);
+      const { cells, frame, gap, area, areaError } = sectionOf(arm, { cell: 4e-3, tolerance: 2e-4 });
+      expect(gap).toBeLessThan(6e-3);
+      expect(areaError).toBeLessThan(0.02 * area);
+      const count = isDeep ? 1e6 : 1e5;
+      const places = new Float32Array(3 * count);
+      createSampler(createChain(arm), { seed: 9 }).fill(0, places);
+      let outside = 0;
+      for (let k = 0; k < places.length; k += 3) {
+        const v = places[k + 2] - frame.origin[2];
+        const u = Math.hypot(places[k] - frame.origin[0], places[k + 1] - frame.origin[1]);
+        const [i, j] = [Math.floor((u - cells.u) / cells.size), Math.floor((v - cells.v) / cells.size)];
+        let isNear = false;
+        for (let a = i - 1; a <= i + 1; a++)
+          for (let b = j - 1; b <= j + 1; b++)
+            if (a >= 0 && b >= 0 && a < cells.columns && cells.reached[b * cells.columns + a] === 1) isNear = true;
+        if (!isNear) outside++;
+      }
+      expect(outside).toBe(0);
+    },
+  );
+
+  test('whatever the seed, the same area', () => {
+    const [one, other] = [1, 2].map((seed) => sectionOf(publishedArm('ur3'), { cell: 8e-3, tolerance: 2e-4, seed }));
+    expect(Math.abs(one.area - other.area)).toBeLessThan(one.areaError);
+  });
+});
+
+/** @param {number} u @param {number} v @returns {Vertex} */
+const vertex = (u, v) => ({ x: new Float64Array(0), u, v });
+
+/** @type {Traced} */
+const curve = { kind: 'singular', fixed: [], vertices: [], roughness: 0, between: () => null };
+
+/** @param {number[][]} lines  u, v, u, v each */
+const drawn = (lines) =>
+  arranged(
+    lines.map(([a, b, c, d]) => ({ from: vertex(a, b), to: vertex(c, d), curve: { ...curve } })),
+    [],
+    1e-3,
+  );
+
+/** Twice what a ring runs around, signed. @param {ReturnType<typeof drawn>} arrangement @param {number[]} ring */
+const twice = (arrangement, ring) =>
+  ring.reduce((sum, half) => {
+    const [a, b] = endsOf(arrangement, half);
+    return sum + a.u * b.v - b.u * a.v;
+  }, 0);
+
+describe('lines part the plane', () => {
+  test('two squares that overlap make three fields, and what ends in the open none', () => {
+    const square = (/** @type {number} */ at) => [
+      [at, at, at + 2, at],
+      [at + 2, at, at + 2, at + 2],
+      [at + 2, at + 2, at, at + 2],
+      [at, at + 2, at, at],
+    ];
+    const arrangement = drawn([...square(0), ...square(1), [0.5, 0.5, 0.5, -3]]);
+    const areas = ringsOf(arrangement).rings.map((ring) => Math.round(twice(arrangement, ring)) / 2);
+    expect(areas.sort((a, b) => a - b)).toEqual([-7, 1, 3, 3]);
+  });
+
+  test('an end that stops short of a line is joined to it, and the gap is known', () => {
+    const arrangement = drawn([[0, 0, 3, 0], [3, 0, 3, 3], [3, 3, 0, 3], [0, 3, 0, 0.004]]); // prettier-ignore
+    expect(ringsOf(arrangement).rings).toHaveLength(2);
+    expect(Math.max(...arrangement.edges.map(({ gap }) => gap))).toBeCloseTo(0.004, 6);
+  });
+
+  test('into as many fields as Euler says, whose areas cancel', () => {
+    const place = fc.integer({ min: 0, max: 40 }).map((value) => value / 10);
+    const line = fc.tuple(place, place, place, place).filter(([a, b, c, d]) => a !== c || b !== d);
+    const told = fc.property(fc.array(line, { minLength: 3, maxLength: 14 }), (lines) => {
+      const arrangement = drawn(lines);
+      const { rings } = ringsOf(arrangement);
+      const nodes = new Set(arrangement.edges.flatMap(({ a, b }) => [a, b]));
+      const part = new Map([...nodes].map((node) => [node, node]));
+      const rootOf = (/** @type {number} */ node) => {
+        let at = node;
+        while (part.get(at) !== at) at = /** @type {number} */ (part.get(at));
+        return at;
+      };
+      for (const { a, b } of arrangement.edges) part.set(rootOf(a), rootOf(b));
+      const parts = [...nodes].filter((node) => part.get(node) === node).length;
+      // of each part by itself V − E + F = 2, and each of its fields has one ring
+      expect(nodes.size - arrangement.edges.length + rings.length).toBe(2 * parts);
+      expect(rings.reduce((sum, ring) => sum + twice(arrangement, ring), 0)).toBeCloseTo(0, 9);
+      expect(rings.filter((ring) => twice(arrangement, ring) < -1e-9)).toHaveLength(parts);
+    });
+    fc.assert(told, { seed: SEED, numRuns: runs(200) });
+  });
+});

@@ -99,9 +99,9 @@ test('a text that is none stays with its reason and its ways out, and the arm ke
   expect(await tool(page)).toEqual(place);
   await page.getByLabel('Joint 2, link twist α, degrees').focus(); // the reason is told there, too
   await expect(line).toContainText('a2: “90 deg” is not a number');
-  await line.getByRole('button', { name: 'To that cell' }).click();
+  await line.getByRole('button', { name: 'To that cell' }).click({ delay: 120 }); // as slow as a hand
   await expect(cell).toBeFocused();
-  await line.getByRole('button', { name: 'Take back' }).click();
+  await line.getByRole('button', { name: 'Take back' }).click({ delay: 120 });
   await expect(cell).toBeFocused();
   await expect(cell).toHaveValue('431.8');
   await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();

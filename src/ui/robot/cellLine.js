@@ -33,6 +33,8 @@ export function createCellLine({ store }) {
   const meaning = h('p', {});
   const ways = h('div', { class: 'ways' });
   const element = h('div', { class: 'cellbar', id: 'cell-line' }, name, value, meaning, ways);
+  // The buttons answer for the cell that has the focus: were it lost to a press, they would be others before the press is over.
+  ways.addEventListener('mousedown', (event) => event.preventDefault());
   /** @type {Map<CellEditor, { place: Place, refused: Refused }>} texts that were refused and still stand */
   const standing = new Map();
   /** What the buttons say. */

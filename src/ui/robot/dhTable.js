@@ -201,10 +201,10 @@ export function createDhTable(page, host) {
   watchTableKeys(table, () => cells.map((row) => row.map(({ input }) => input)), cellLine.answer);
   watchTablePointer(page, table, FIELDS);
   watchTablePaste(page, table, structure.foot);
-  $(table).on('focusout', ({ relatedTarget }) => {
-    if (!(relatedTarget instanceof Node && table.contains(relatedTarget))) {
-      store.dispatch({ type: 'show', change: { cell: null } });
-    }
+  const isTable = (/** @type {unknown} */ to) =>
+    to instanceof Node && (table.contains(to) || cellLine.element.contains(to));
+  $([table, cellLine.element]).on('focusout', ({ relatedTarget }) => {
+    if (!isTable(relatedTarget)) store.dispatch({ type: 'show', change: { cell: null } });
   });
 
   /** @param {RobotDoc} robot */

@@ -20,7 +20,7 @@
  * @import { ToolKeeps } from './frames/toolChange.js'
  * @import { ProgramCheck } from './workcell/checked.js'
  * @import { WorkcellView } from './workcell/workcellView.js'
- * @import { Probes } from './workspace/asked.js'
+ * @import { Probes, ReachHand } from './workspace/asked.js'
  * @import { WorkspaceMaps } from './workspace/mapped.js'
  * @import { WorkspaceView } from './workspace/workspaceView.js'
  *
@@ -77,6 +77,7 @@
  * @property {CodeScene} code   of the program of a controller that is open: what the scene shows of it, and is asked there
  * @property {WorkspaceMaps} maps    what is known of the workspace so far
  * @property {Probes} probes  places that were asked for, and traces of single joints
+ * @property {ReachHand} reachHand  what a press in the scene does to them
  * @property {number} edition   counts how often the document was exchanged for another (opened, undone), not edited
  *
  * @typedef {History & { readonly session: Session }} AppState
@@ -98,7 +99,7 @@ import { FIRST_HANDLE } from './aim/handleAxes.js';
 import { fitUserFrame } from './frames/userAxes.js';
 import { FIRST_NUMBERS, fitNumbers } from './numbers/numbersView.js';
 import { FIRST_RECORDING } from './program/recording.js';
-import { NO_PROBES } from './workspace/asked.js';
+import { NO_HAND, NO_PROBES } from './workspace/asked.js';
 import { NO_MAPS } from './workspace/mapped.js';
 import { FIRST_WORKCELL, withoutObstacles } from './workcell/workcellView.js';
 import { cancelGesture, endGesture, record, redo, stand, startHistory, undo } from './history.js';
@@ -142,6 +143,7 @@ const FRESH = {
   code: NO_CODE,
   maps: NO_MAPS,
   probes: NO_PROBES,
+  reachHand: NO_HAND,
   edition: 0,
 };
 

@@ -5,14 +5,16 @@
  * @import { Stage } from './stage.js'
  */
 import { together } from '../model/views.js';
+import { createReachPress } from './drag/reachPress.js';
 import { createReachMarks } from './marks/reachMarks.js';
 import { createReachProbes } from './marks/reachProbes.js';
 
 /**
- * @param {Pick<State, 'addView' | 'clock'>} state
+ * @param {Pick<State, 'store' | 'addView' | 'derived' | 'clock'>} state
  * @param {Stage} stage
  */
-export function createWorkspaceView({ addView, clock }, stage) {
+export function createWorkspaceView(state, stage) {
+  const { addView, clock } = state;
   const marks = stage.addMarks((tools) => createReachMarks({ ...tools, clock, onChange: () => stage.touch() }));
   addView(
     together(({ session }) => [session.maps.volume, session.workspace]),
@@ -22,9 +24,12 @@ export function createWorkspaceView({ addView, clock }, stage) {
     },
   );
   addView(
-    together(({ session }) => [session.maps.section, session.workspace]),
-    ([map, view]) => {
-      const isShown = map !== null && view !== null && view.hasSection && view.open.includes('section');
+    together(({ session }) => [session.maps.section, session.workspace, session.reachHand.pick === 'section']),
+    ([map, view, isPicked]) => {
+      // the numbers of the boundary's postures stand on it
+      const isOpen = ['section', 'teach'].some((fold) => view?.open.includes(fold));
+      const isWanted = isPicked || (isOpen && view?.hasSection === true);
+      const isShown = map !== null && isWanted;
       marks.wantSection(isShown ? (map.section ?? map.first) : null);
     },
   );
@@ -36,6 +41,7 @@ export function createWorkspaceView({ addView, clock }, stage) {
       stage.touch();
     },
   );
+  createReachPress(state, stage);
   // What has come into the picture is seen whole, unless somebody has chosen what is seen.
   addView(
     ({ session: { maps, workspace } }) =>

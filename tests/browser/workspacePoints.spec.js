@@ -24,6 +24,18 @@ test('a list of points, a line that stops, and a critical posture that the arm m
   await page.getByRole('button', { name: 'Show the answer for far' }).click();
   await expect(page.getByText(/^far is out of reach: [\d.]+ mm are missing/)).toBeVisible();
 
+  // a press in the view is a point, as long as it is picked there; later it chooses the point that is pressed
+  await page.getByRole('button', { name: 'Pick in the view' }).click();
+  const canvas = page.locator('canvas');
+  await canvas.click({ position: { x: 330, y: 250 }, delay: 120 });
+  await expect(list.getByRole('row')).toHaveCount(4);
+  await page.keyboard.press('Escape');
+  await canvas.click({ position: { x: 200, y: 250 } });
+  await page.getByRole('button', { name: 'Show the answer for A' }).click();
+  await canvas.click({ position: { x: 330, y: 250 } });
+  await expect(list.getByRole('row')).toHaveCount(4);
+  await expect(list.locator('[aria-current]')).toContainText('3');
+
   await page.getByRole('button', { name: /^One joint at a time/ }).click();
   await page.getByRole('button', { name: 'Draw all that J3 does from here' }).click();
   const stretched = page.getByRole('button', { name: /^Go to critical posture \d+: J2 and J3 stretched/ });

@@ -31,7 +31,19 @@
  * @property {readonly { readonly points: Float64Array, readonly kind: 'trace' | 'way' | 'missing' }[]} lines  x, y and z each
  *
  * @typedef {{ readonly points: ReachShown | null, readonly teach: ReachShown | null }} Probes  of the folds of those names
+ *
+ * @typedef {'section' | 'volume' | 'tool'} PickGround  where a point that is picked in the scene lands: on the section's plane, in the
+ *   middle of a cube of the volume, or on the plane through the tool point that faces whoever looks
+ *
+ * @typedef {object} ReachHand   the hand on all that in the scene
+ * @property {PickGround | null} pick  a press puts a point there; null: it does not
+ * @property {readonly number[] | null} over  where it would put it, m
+ * @property {{ readonly at: readonly number[] } | { readonly fold: keyof Probes, readonly index: number } | null} pressed  a place, or a
+ *   point that is shown, until the panel has taken it
  */
 
 /** @type {Probes} */
 export const NO_PROBES = { points: null, teach: null };
+
+/** @type {ReachHand} */
+export const NO_HAND = { pick: null, over: null, pressed: null };

@@ -2,7 +2,7 @@
  * What the kernel says of points and lines, in the document's units, to be read, copied and saved.
  *
  * @import { RobotDoc } from '../document.js'
- * @import { Held, LineAnswer, PointAnswer } from './asked.js'
+ * @import { Held, LineAnswer, PointAnswer, ReachShown } from './asked.js'
  *
  * @typedef {object} PointRow
  * @property {string} name
@@ -83,6 +83,20 @@ export function lineRow(robot, { isTravelled, share, start, end, stop }) {
     why,
     held: stop?.held ?? [],
   };
+}
+
+/**
+ * The parts of a line: as far as it can be travelled, and what is missing.
+ * @param {number} share
+ * @param {readonly number[]} from  m
+ * @param {readonly number[]} to
+ * @returns {ReachShown['lines'][number][]}
+ */
+export function lineParts(share, from, to) {
+  const stop = from.map((value, i) => value + share * (to[i] - value));
+  const way = { points: Float64Array.of(...from, ...stop), kind: /** @type {const} */ ('way') };
+  const missing = { points: Float64Array.of(...stop, ...to), kind: /** @type {const} */ ('missing') };
+  return share >= 1 ? [way] : share > 0 ? [way, missing] : [missing];
 }
 
 /**

@@ -155,7 +155,7 @@ export function createToolDrag(state, { stage, room, isWide, missing, userFrame 
     hold = null;
     canvas.style.cursor = was.part ? 'grab' : '';
     if (was.hasMoved) was.end();
-    else if (was.part) {
+    else if (was.part && !event.defaultPrevented) {
       const { kind, axis } = was.part;
       keys.take(kind === 'turn' ? 'turn' : 'move', kind === 'plane' ? axis : null);
     }

@@ -170,7 +170,7 @@ export function createObstacleDrag({ store, addView, derived }, { stage, room, m
     }
     const press = pressed;
     pressed = null;
-    if (!press || event.type !== 'pointerup' || press.id !== event.pointerId) return;
+    if (!press || event.type !== 'pointerup' || event.defaultPrevented || press.id !== event.pointerId) return;
     const [x, y] = placeOf(event);
     if (Math.hypot(x - press.x, y - press.y) <= press.press) choose(x, y);
   }

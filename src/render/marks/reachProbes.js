@@ -36,7 +36,7 @@ export const createReachProbes = ({ scene, labels, ...tools }) =>
       .flatMap((one) => one.points)
       .slice(0, MOST_LABELS)
       .map(({ at, text, isReached }) => {
-        const label = labels.add(isReached ? 'taught' : 'taught is-out');
+        const label = labels.add(isReached ? 'reach-point' : 'reach-point is-out');
         label.at.set(at[0], at[1], at[2]);
         label.write(text);
         return label;

@@ -11,7 +11,7 @@ import { MAX_POINTS_TEXT, readPoints } from '../../io/pointsText.js';
 import { compilePosture } from '../../model/compile.js';
 import { fromKernel, toKernel } from '../../model/units.js';
 import { together } from '../../model/views.js';
-import { lineRow, placeFromKernel, pointRow } from '../../model/workspace/pointAnswers.js';
+import { lineParts, lineRow, placeFromKernel, pointRow } from '../../model/workspace/pointAnswers.js';
 import { placeInSection, seenInSection, toolPlace } from '../../model/workspace/sweep.js';
 import { FARTHEST } from '../../model/workspace/workspaceView.js';
 import { h } from '../parts/dom.js';
@@ -21,6 +21,7 @@ import { POINTS } from '../words/workspacePoints.js';
 import { createLineAnswer } from './lineAnswer.js';
 import { isFoldOpen, viewNow } from './look.js';
 import { createMapper } from './mapper.js';
+import { createPickButton } from './pickButton.js';
 import { createPointAnswer } from './pointAnswer.js';
 import { createPointsTable, SHORT_NAME } from './pointsTable.js';
 import { sectionNow, showProbe } from './probes.js';
@@ -184,18 +185,6 @@ export function createPointsPanel(page, body, say) {
     draw();
   }
 
-  /** The line's parts: as far as it goes, and what is missing. */
-  function parts() {
-    if (!line?.row) return [];
-    const [a, b] = [line.from, line.to].map((i) => inKernel(asked[i].at));
-    const { share } = line.row;
-    const stop = a.map((value, i) => value + share * (b[i] - value));
-    return [
-      { points: Float64Array.of(...a, ...stop), kind: /** @type {const} */ ('way') },
-      { points: Float64Array.of(...stop, ...b), kind: /** @type {const} */ ('missing') },
-    ].filter((_, i) => (i === 0 ? share > 0 : share < 1));
-  }
-
   function draw() {
     answer.draw(rows[chosen] ?? null, nameOf(chosen));
     table.draw(rows.length > 0 ? rows : [], chosen, nameOf);
@@ -206,7 +195,9 @@ export function createPointsPanel(page, body, say) {
       text: nameOf(i).length > SHORT_NAME ? String(i + 1) : nameOf(i),
       isReached: verdict === 'reached',
     }));
-    const lines = parts();
+    const lines = line?.row
+      ? lineParts(line.row.share, inKernel(asked[line.from].at), inKernel(asked[line.to].at))
+      : [];
     showProbe(page, 'points', points.length > 0 ? { points, lines } : null);
     drawFigure();
   }
@@ -253,6 +244,7 @@ export function createPointsPanel(page, body, say) {
           { class: 'row-flex points-acts' },
           act(POINTS.ask, 'btn-primary', read),
           tool,
+          createPickButton(page, { add, choose }),
           act(POINTS.open, 'btn-outline', () => input.click()),
         ),
         working,

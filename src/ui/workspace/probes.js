@@ -3,7 +3,7 @@
  *
  * @import { Page } from '../page.js'
  * @import { RobotDoc } from '../../model/document.js'
- * @import { CriticalSection, ReachShown, Probes } from '../../model/workspace/asked.js'
+ * @import { CriticalSection, Probes, ReachHand, ReachShown } from '../../model/workspace/asked.js'
  * @import { TracedSection } from '../../model/workspace/mapped.js'
  */
 import { jointNumber, poseNumber, unitOf, withUnit } from '../parts/format.js';
@@ -12,6 +12,37 @@ import { jointNumber, poseNumber, unitOf, withUnit } from '../parts/format.js';
 export function showProbe({ store }, name, shown) {
   const { probes } = store.state.session;
   if (probes[name] !== shown) store.dispatch({ type: 'show', change: { probes: { ...probes, [name]: shown } } });
+}
+
+/**
+ * A point of a fold has been pressed in the scene.
+ * @param {Page} page
+ * @param {keyof Probes} fold
+ * @param {(index: number) => void} use
+ */
+export const whenPressed = (page, fold, use) =>
+  takePress(page, (pressed) => {
+    const isMeant = 'fold' in pressed && pressed.fold === fold;
+    if (isMeant) use(pressed.index);
+    return isMeant;
+  });
+
+/**
+ * @param {Pick<Page, 'store' | 'addView' | 'clock'>} page
+ * @param {(pressed: NonNullable<ReachHand['pressed']>) => boolean} take  false: it is meant for others
+ */
+export function takePress({ store, addView, clock }, take) {
+  const hand = () => store.state.session.reachHand;
+  addView(
+    ({ session }) => session.reachHand.pressed,
+    (pressed) => {
+      if (!pressed) return;
+      clock.onFrame(() => {
+        if (hand().pressed !== pressed || !take(pressed)) return;
+        store.dispatch({ type: 'show', change: { reachHand: { ...hand(), pressed: null } } });
+      });
+    },
+  );
 }
 
 /** The section, once it is known and is still that of this arm. @param {Page['store']} store @returns {(TracedSection & CriticalSection) | null} */

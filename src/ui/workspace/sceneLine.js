@@ -1,6 +1,6 @@
 /**
  * Below the tools of the view while the workspace is in the picture and its panel is not open: that it is there, and the button
- * that hides it.
+ * that hides it. The line of picking points takes its place.
  *
  * @import { Page } from '../page.js'
  */
@@ -9,6 +9,7 @@ import { together } from '../../model/views.js';
 import { h } from '../parts/dom.js';
 import { WORKSPACE } from '../words/workspace.js';
 import { look } from './look.js';
+import { createPickLine } from './pickLine.js';
 
 /** @param {Page} page @param {HTMLElement} view */
 export function createSceneLine(page, view) {
@@ -37,4 +38,5 @@ export function createSceneLine(page, view) {
       words.textContent = hasVolume && hasSection ? both : hasVolume ? volume : section;
     },
   );
+  createPickLine(page, view);
 }

@@ -18,7 +18,7 @@ import { jointNumber, jointStep, unitOf, unitSign, withUnit } from '../parts/for
 import { travelTo } from '../travel.js';
 import { TEACH } from '../words/workspacePoints.js';
 import { isFoldOpen } from './look.js';
-import { sectionNow, showProbe } from './probes.js';
+import { sectionNow, showProbe, whenPressed } from './probes.js';
 import { createReachFigure } from './reachFigure.js';
 
 /** A joint without limits is swept a full turn, half of it each way. */
@@ -244,6 +244,9 @@ export function createTeachPanel(page, body, say) {
       page.clock.onFrame(show); // not while views are drawn
     },
   );
+  whenPressed(page, 'teach', (index) => {
+    if (index < ones.length) go(index);
+  });
   addView(
     together(({ doc, session }) => [doc.posture, isFoldOpen(session, 'teach')]),
     ([, isOpen]) => {

@@ -29,17 +29,18 @@ const JOINED = 60;
  * @param {readonly BoundaryPiece[]} pieces  each once
  * @param {readonly [Vertex, Vertex][]} bridges  lines that join what the pieces leave open
  * @param {number} tolerance
- * @returns {Arrangement}
+ * @returns {Generator<null, Arrangement>}
  */
-export function arranged(pieces, bridges, tolerance) {
+export function* arranged(pieces, bridges, tolerance) {
   const drawing = createDrawing(tolerance);
   for (const [from, to] of bridges)
     drawing.add(drawing.nodeAt(from), drawing.nodeAt(to), bridgeOf(from, to), apart(from, to));
   for (const { from, to, curve } of pieces) drawing.add(drawing.nodeAt(from), drawing.nodeAt(to), curve, 0);
-  drawing.cut();
-  drawing.joinEnds(TOUCHING, true);
-  drawing.joinEnds(JOINED, false);
+  yield* drawing.cut();
+  yield* drawing.joinEnds(TOUCHING, true);
+  yield* drawing.joinEnds(JOINED, false);
   drawing.cutOffEnds();
+  yield null;
   const edges = [...drawing.edges];
   /** @type {Squares<number>} */
   const near = new Squares(SQUARE * tolerance);

@@ -12,13 +12,16 @@
  * @property {Vertex} to
  * @property {Traced} curve
  */
-import { apart } from './traced.js';
+import { apart, PIECES } from './traced.js';
 
 /** Places are looked at this far beside a curve, in tolerances of the curve's lines. */
 const BESIDE = 0.05;
 
 /** Halvings at most. */
 const DEEPEST = 24;
+
+/** Pieces of which only the middle is asked, between two steps of work. */
+const MIDDLES = 8 * PIECES;
 
 /**
  * What is reached beside a piece: on the left only (1), on the right only (−1), on both sides or none (0).
@@ -53,9 +56,9 @@ export const closeBeside = (isReached, tolerance) => (at, a, b) => {
  * @param {SideAt} sideAt
  * @param {number} shortest     m: a piece whose ends differ is halved until it is no longer
  * @param {boolean} isThorough  every piece is asked of from end to end; else only one whose neighbours are not like it
- * @returns {BoundaryPiece[]}
+ * @returns {Generator<null, BoundaryPiece[]>}
  */
-export function boundaryOf(curve, sideAt, shortest, isThorough) {
+export function* boundaryOf(curve, sideAt, shortest, isThorough) {
   /** @type {BoundaryPiece[]} */
   const pieces = [];
 
@@ -90,17 +93,27 @@ export function boundaryOf(curve, sideAt, shortest, isThorough) {
 
   const { vertices } = curve;
   if (isThorough) {
-    for (let i = 1; i < vertices.length; i++) look(vertices[i - 1], vertices[i], 0);
+    for (let i = 1; i < vertices.length; i++) {
+      look(vertices[i - 1], vertices[i], 0);
+      if (i % PIECES === 0) yield null;
+    }
     return pieces;
   }
-  const sides = vertices.slice(1).map((to, i) => {
-    const middle = curve.between(vertices[i], to);
-    return middle && sideAt(middle, vertices[i], to);
-  });
-  sides.forEach((side, i) => {
+  /** @type {(Side | null)[]} */
+  const sides = [];
+  for (let i = 1; i < vertices.length; i++) {
+    const middle = curve.between(vertices[i - 1], vertices[i]);
+    sides.push(middle && sideAt(middle, vertices[i - 1], vertices[i]));
+    if (i % MIDDLES === 0) yield null;
+  }
+  for (const [i, side] of sides.entries()) {
     const isLike = side !== null && side === (sides[i - 1] ?? null) && side === (sides[i + 1] ?? null);
-    if (isLike) add(side, vertices[i], vertices[i + 1]);
-    else look(vertices[i], vertices[i + 1], 0);
-  });
+    if (isLike) {
+      add(side, vertices[i], vertices[i + 1]);
+      continue;
+    }
+    look(vertices[i], vertices[i + 1], 0);
+    yield null;
+  }
   return pieces;
 }

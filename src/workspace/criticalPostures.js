@@ -17,7 +17,7 @@ import { createRandom } from '../kinematics/random.js';
 import { createConditions } from './criticalConditions.js';
 import { facesOf } from './criticalCurves.js';
 import { Squares } from './squares.js';
-import { apart, refined } from './traced.js';
+import { apart, refining } from './traced.js';
 
 /** Starts on each face, at most; and in a row that come upon nothing new. */
 const STARTS = 400;
@@ -37,6 +37,12 @@ const FULL_TURN = 2 * Math.PI;
 const FIRST_STEP = 0.02;
 const LONGEST_STEP = 0.06;
 const MOST_STEPS = 3000;
+
+/** Steps along a curve between two steps of work. */
+const FOLLOWED = 100;
+
+/** A step of which less than this share is left has been taken back: the curve ends, as on the axis of a half-plane. */
+const HELD = 0.1;
 
 /** A posture whose place is the farthest of many along n = (cos θ, sin θ). @typedef {{ x: Float64Array, theta: number }} Farthest */
 
@@ -69,7 +75,7 @@ export function* criticalPostures(map, tolerance, seed, drawn, farthest) {
               ...face.free.map((k) => lower[k] + random() * (upper[k] - lower[k])),
               random() * HALF_TURN,
             ]);
-        const runs = tracer(y);
+        const runs = yield* tracer(y);
         if (runs.length > 0) idle = 0;
         yield* runs;
       }
@@ -83,9 +89,9 @@ export function* criticalPostures(map, tolerance, seed, drawn, farthest) {
  * @param {number} tolerance
  * @param {Drawn} drawn  added to
  * @param {Farthest} from
- * @returns {Traced[]}  none, if it is drawn, or none of those that are looked for here
+ * @returns {Generator<null, Traced[]>}  none, if it is drawn, or none of those that are looked for here
  */
-export function criticalFrom(map, tolerance, drawn, { x, theta }) {
+export function* criticalFrom(map, tolerance, drawn, { x, theta }) {
   const { lower, upper, isClosed } = map;
   const isFree = (/** @type {number} */ k) => isClosed[k] || (x[k] > lower[k] && x[k] < upper[k]);
   const free = Array.from(x.keys()).filter(isFree);
@@ -93,7 +99,7 @@ export function criticalFrom(map, tolerance, drawn, { x, theta }) {
     (each) => each.free.every(isFree) && each.x.every((value, k) => isFree(k) || value === x[k]),
   );
   if (!face || free.length < 3) return [];
-  return createTracer(map, face, tolerance, drawn)(Float64Array.from([...free.map((k) => x[k]), theta]));
+  return yield* createTracer(map, face, tolerance, drawn)(Float64Array.from([...free.map((k) => x[k]), theta]));
 }
 
 /**
@@ -102,7 +108,7 @@ export function criticalFrom(map, tolerance, drawn, { x, theta }) {
  * @param {{ free: number[], x: Float64Array, fixed: Fixed[] }} face
  * @param {number} tolerance
  * @param {Drawn} drawn
- * @returns {(y: Float64Array) => Traced[]}
+ * @returns {(y: Float64Array) => Generator<null, Traced[]>}
  */
 function createTracer(map, face, tolerance, drawn) {
   const { lower, upper, isClosed } = map;
@@ -117,16 +123,16 @@ function createTracer(map, face, tolerance, drawn) {
     const vertex = conditions.vertex(middle);
     return Math.max(apart(vertex, a), apart(vertex, b)) > 2 * apart(a, b) ? null : vertex;
   };
-  return (y) => {
+  return function* (y) {
     if (!conditions.meet(y) || !isInside(y)) return [];
     const first = conditions.vertex(y);
     if (isDrawn(drawn, first, tolerance)) return [];
-    const ahead = follow(conditions, y, 1, isInside, rounds, drawn, tolerance);
+    const ahead = yield* follow(conditions, y, 1, isInside, rounds, drawn, tolerance);
     const isRing = ahead.length > 0 && apart(ahead[ahead.length - 1], first) < tolerance / 100;
-    const behind = isRing ? [] : follow(conditions, y, -1, isInside, rounds, drawn, tolerance);
+    const behind = isRing ? [] : yield* follow(conditions, y, -1, isInside, rounds, drawn, tolerance);
     const vertices = [...behind.reverse(), first, ...ahead];
     if (vertices.length < 2) return [];
-    const { runs } = refined({ kind: 'singular', fixed: face.fixed, between }, vertices, tolerance);
+    const { runs } = yield* refining({ kind: 'singular', fixed: face.fixed, between }, vertices, tolerance);
     for (const run of runs) addDrawn(drawn, run);
     return runs;
   };
@@ -156,9 +162,9 @@ export function isDrawn(drawn, at, tolerance) {
  * @param {readonly number[]} rounds  what each unknown may differ by and be the same; 0: nothing
  * @param {Drawn} drawn
  * @param {number} tolerance
- * @returns {Vertex[]} without the first
+ * @returns {Generator<null, Vertex[]>} without the first
  */
-function follow(conditions, from, sense, isInside, rounds, drawn, tolerance) {
+function* follow(conditions, from, sense, isInside, rounds, drawn, tolerance) {
   /** @type {Vertex[]} */
   const vertices = [];
   const first = conditions.vertex(from);
@@ -169,6 +175,7 @@ function follow(conditions, from, sense, isInside, rounds, drawn, tolerance) {
   /** @type {Float64Array | null} */
   let heading = null;
   for (let count = 0; count < MOST_STEPS; count++) {
+    if (count % FOLLOWED === FOLLOWED - 1) yield null;
     const found = conditions.tangentAt(y);
     if (!found) break;
     const { tangent } = found;
@@ -178,12 +185,13 @@ function follow(conditions, from, sense, isInside, rounds, drawn, tolerance) {
     const next = y.map((value, i) => value + step * tangent[i]);
     const isMet = conditions.meet(next);
     const way = Math.hypot(...next.map((value, i) => value - y[i]));
-    if (!isMet || way > 2 * step || Math.abs(turn) < 0.9) {
+    const isStep = isMet && way <= 2 * step && way >= HELD * step;
+    if (!isStep || Math.abs(turn) < 0.9) {
       if (step > 1e-5) {
         step /= 2;
         continue;
       }
-      if (!isMet || way > 2 * step) break;
+      if (!isStep) break;
     }
     if (!isInside(next)) {
       if (step < 1e-7) break;

@@ -21,6 +21,9 @@ const FINE = 50;
 /** Cutting may make lines meet that did not, by the rounding of where they meet; so often it is looked again. */
 const PASSES = 12;
 
+/** So many lines are held against the others between two steps of work. */
+const AT_ONCE = 1000;
+
 /** @param {number} tolerance  of the curves; the grid is much finer */
 export function createDrawing(tolerance) {
   const pitch = tolerance / FINE;
@@ -86,7 +89,7 @@ export function createDrawing(tolerance) {
     for (const edge of [e, o]) if (crossing !== edge.a && crossing !== edge.b) cutAt(edge, crossing);
   };
 
-  const cut = () => {
+  function* cut() {
     for (let pass = 0; pass < PASSES && fresh.length > 0; pass++) {
       const isDone = new Set();
       /** @type {Map<Edge, Set<number>>} */
@@ -98,6 +101,7 @@ export function createDrawing(tolerance) {
       };
       for (const e of fresh) {
         isDone.add(e); // each pair once
+        if (isDone.size % AT_ONCE === 0) yield null;
         if (!edges.has(e)) continue;
         for (const o of squares.near(at[e.a], at[e.b], 0)) {
           if (o === e || !edges.has(o)) continue;
@@ -108,7 +112,7 @@ export function createDrawing(tolerance) {
       for (const [edge, where] of cuts) cutInto(edge, where);
     }
     fresh = [];
-  };
+  }
 
   /** @param {Edge} edge @param {Iterable<number>} where */
   const cutInto = (edge, where) => {
@@ -137,7 +141,7 @@ export function createDrawing(tolerance) {
    * @param {number} reach      in tolerances
    * @param {boolean} isToAll   to each of several curves: those are as good as the same place, and need not meet each other
    */
-  const joinEnds = (reach, isToAll) => {
+  function* joinEnds(reach, isToAll) {
     const margin = reach * FINE;
     const meetings = around();
     const ends = [...meetings].filter(([, there]) => there.length === 1);
@@ -176,8 +180,9 @@ export function createDrawing(tolerance) {
         add(end, there, own.curve, distance * pitch);
       }
     }
-    cut();
-  };
+    yield null;
+    yield* cut();
+  }
 
   /** What ends in the open has the same field on both sides. */
   const cutOffEnds = () => {

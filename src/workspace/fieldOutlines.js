@@ -6,8 +6,8 @@
  * is a curve. If none was known it is followed from there, and all is looked at again. Where a curve's end met nothing the border
  * is closed by a line, which is the gap that is stated.
  *
- * @import { Drawn } from './criticalPostures.js'
- * @import { Arrival, GoTo } from './goneTo.js'
+ * @import { Drawn, Farthest } from './criticalPostures.js'
+ * @import { GoTo } from './goneTo.js'
  * @import { Outline } from './outline.js'
  * @import { SectionMap } from './sectionMap.js'
  * @import { Traced, Vertex } from './traced.js'
@@ -39,15 +39,28 @@ export function* outlinesOfFields(map, curves, goTo, drawn, tolerance) {
     const pieces = curves.flatMap((curve) =>
       curve.vertices.slice(1).map((to, i) => ({ from: curve.vertices[i], to, curve })),
     );
-    const arrangement = arranged(onlyOnce(pieces, tolerance, true), bridges, tolerance);
-    /** @param {number} u @param {number} v @param {Arrival} arrival */
-    const fellShort = (u, v, { x, ...at }) => {
-      if (isDrawn(drawn, at, tolerance)) return;
-      curves.push(...criticalFrom(map, tolerance, drawn, { x, theta: Math.atan2(v - at.v, u - at.u) }));
-    };
-    const asking = reachedFields(arrangement, goTo, tolerance, fellShort);
+    const once = onlyOnce(pieces, tolerance, true);
+    yield { stage: 'sides', share: 0 };
+    const arranging = arranged(once, bridges, tolerance);
+    let part = arranging.next();
+    for (; !part.done; part = arranging.next()) yield { stage: 'sides', share: 0 };
+    const arrangement = part.value;
+    /** @type {(Farthest & { u: number, v: number })[]} */
+    const short = [];
+    const asking = reachedFields(arrangement, goTo, tolerance, (u, v, { x, ...at }) => {
+      short.push({ x, theta: Math.atan2(v - at.v, u - at.u), u: at.u, v: at.v });
+    });
     let step = asking.next();
-    for (; !step.done; step = asking.next()) yield { stage: 'sides', share: step.value };
+    for (; !step.done; step = asking.next()) {
+      yield { stage: 'sides', share: step.value };
+      for (const from of short.splice(0)) {
+        if (isDrawn(drawn, from, tolerance)) continue;
+        const following = criticalFrom(map, tolerance, drawn, from);
+        let more = following.next();
+        for (; !more.done; more = following.next()) yield { stage: 'sides', share: step.value };
+        curves.push(...more.value);
+      }
+    }
     const fields = step.value;
     if (round < ROUNDS && curves.length + bridges.length === before)
       for (const ring of fields.mixed) bridges.push(...leaksOf(arrangement, ring, goTo, tolerance));

@@ -28,6 +28,9 @@ export const SAFE = 4;
 /** Places to ask at, of each ring. */
 const ASKED = 14;
 
+/** So many of them between two steps of work. */
+const AT_ONCE = 4;
+
 /** A ring around less than its length by so many tolerances is a sliver. */
 const SLIVER = 1;
 
@@ -103,11 +106,12 @@ export function* reachedFields(arrangement, goTo, tolerance, fellShort) {
     const length = ring.reduce((sum, half) => sum + apart(...endsOf(arrangement, half)), 0);
     const isSliver = Math.abs(areaTwice(arrangement, ring)) < SLIVER * tolerance * length;
     const probes = isSliver ? [] : probesOf(arrangement, ring, tolerance);
-    let reached = 0;
+    let [reached, asked] = [0, 0];
     for (const { u, v, x } of probes) {
       const arrival = goTo(u, v, x);
       if (arrival) fellShort(u, v, arrival);
       else reached++;
+      if (++asked % AT_ONCE === 0) yield isReached.length / rings.length;
     }
     isReached.push(probes.length === 0 ? null : reached > 0 ? 1 : 0);
     if (reached > 0 && reached < probes.length) mixed.push(ring);

@@ -61,6 +61,7 @@ import { enclosed, onlyOnce, outlinesOf } from './outline.js';
 import { createSampler } from './sampler.js';
 import { createSectionMap, ownCut } from './sectionMap.js';
 import { sweptVolume } from './swept.js';
+import { atOnce } from './traced.js';
 
 /** A gap longer than so many tolerances says that a piece between two lookings was overlooked: then all are looked at closely. */
 const SUSPICIOUS = 60;
@@ -135,6 +136,7 @@ export function* mapSection(chain, options = {}) {
     sampler,
     tolerance / 100,
   );
+  yield { stage: 'sides', share: 0 };
   const outlines = yield* outlinesOfFields(map, curves, goTo, drawn, tolerance);
   return sectionOf(map, curves, outlines, { cell, tolerance }, 'estimated');
 }
@@ -165,7 +167,10 @@ function axisOf(map, curves) {
 function* outlinesAlong(curves, sideAt, shortest, tolerance, isThorough) {
   const pieces = [];
   for (const [i, curve] of curves.entries()) {
-    for (const piece of boundaryOf(curve, sideAt, shortest, isThorough)) pieces.push(piece);
+    const work = boundaryOf(curve, sideAt, shortest, isThorough);
+    let step = work.next();
+    for (; !step.done; step = work.next()) yield { stage: 'sides', share: i / curves.length };
+    for (const piece of step.value) pieces.push(piece);
     yield { stage: 'sides', share: (i + 1) / curves.length };
   }
   return outlinesOf(onlyOnce(pieces, tolerance), tolerance).filter(({ vertices }) => vertices.length > 2);
@@ -228,14 +233,5 @@ function written(map, vertices) {
   return { places, postures };
 }
 
-/**
- * All of it at once.
- * @param {Chain} chain
- * @param {SectionOptions} [options]
- */
-export function sectionAtOnce(chain, options) {
-  const job = mapSection(chain, options);
-  let turn = job.next();
-  while (!turn.done) turn = job.next();
-  return turn.value;
-}
+/** All of it at once. @param {Parameters<typeof mapSection>} given */
+export const sectionAtOnce = (...given) => atOnce(mapSection(...given));

@@ -47,14 +47,29 @@ function besideChord(point, a, b) {
 }
 
 /**
+ * All of some work that is done in steps.
+ * @template Found
+ * @param {Generator<unknown, Found>} work
+ * @returns {Found}
+ */
+export function atOnce(work) {
+  let step = work.next();
+  while (!step.done) step = work.next();
+  return step.value;
+}
+
+/** Pieces of a curve between two steps of work. */
+export const PIECES = 32;
+
+/**
  * A curve through some vertices, with as many more between them as the tolerance asks for; its roughness is written. Where
  * nothing is found between two of them it is interrupted.
  * @param {Omit<Traced, 'vertices' | 'roughness'>} curve
  * @param {readonly Vertex[]} vertices
  * @param {number} tolerance  m
- * @returns {{ runs: Traced[], gaps: [Vertex, Vertex][] }}
+ * @returns {Generator<null, { runs: Traced[], gaps: [Vertex, Vertex][] }>}
  */
-export function refined(curve, vertices, tolerance) {
+export function* refining(curve, vertices, tolerance) {
   /** @type {[Vertex, Vertex][]} */
   const gaps = [];
   /** @type {Traced} */
@@ -79,6 +94,12 @@ export function refined(curve, vertices, tolerance) {
     walk(from, middle, depth + 1);
     walk(middle, to, depth + 1);
   };
-  for (let i = 1; i < vertices.length; i++) walk(vertices[i - 1], vertices[i], 0);
+  for (let i = 1; i < vertices.length; i++) {
+    walk(vertices[i - 1], vertices[i], 0);
+    if (i % PIECES === 0) yield null;
+  }
   return { runs: runs.filter((each) => each.vertices.length > 1), gaps };
 }
+
+/** Likewise, at once. @param {Parameters<typeof refining>} given */
+export const refined = (...given) => atOnce(refining(...given));

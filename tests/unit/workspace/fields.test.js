@@ -5,6 +5,7 @@ import { createChain } from '../../../src/kinematics/chain.js';
 import { arranged, endsOf, ringsOf } from '../../../src/workspace/arrangement.js';
 import { createSampler } from '../../../src/workspace/sampler.js';
 import { sectionAtOnce } from '../../../src/workspace/section.js';
+import { atOnce } from '../../../src/workspace/traced.js';
 import { runs, SEED } from '../../helpers/property.js';
 import { publishedArm } from '../kinematics/publishedArms.js';
 import { annulus, planar } from './arms.js';
@@ -152,10 +153,12 @@ const curve = { kind: 'singular', fixed: [], vertices: [], roughness: 0, between
 
 /** @param {number[][]} lines  u, v, u, v each */
 const drawn = (lines) =>
-  arranged(
-    lines.map(([a, b, c, d]) => ({ from: vertex(a, b), to: vertex(c, d), curve: { ...curve } })),
-    [],
-    1e-3,
+  atOnce(
+    arranged(
+      lines.map(([a, b, c, d]) => ({ from: vertex(a, b), to: vertex(c, d), curve: { ...curve } })),
+      [],
+      1e-3,
+    ),
   );
 
 /** Twice what a ring runs around, signed. @param {ReturnType<typeof drawn>} arrangement @param {number[]} ring */

@@ -56,7 +56,7 @@ import { SHORTCUTS, createShortcuts } from './ui/shortcuts.js';
 import { createTheme } from './ui/theme.js';
 import { createTouchKeys } from './ui/parts/touchKeys.js';
 import { createViewPanel } from './ui/view/viewPanel.js';
-import { onceLoaded, whenFirst } from './ui/parts/whenFirst.js';
+import { onceLoaded, whenFirst, whenNear } from './ui/parts/whenFirst.js';
 
 const { values: parameters, refused } = readQueryParameters(location.search, SCHEMA);
 const manualClock = parameters.clock === 'manual' ? createManualClock() : null;
@@ -161,20 +161,27 @@ function stand(robot, isOther, link) {
       return (host) => createCodePanel(page, host, { version, today });
     },
   );
-  const mapping = onceLoaded(() =>
-    Promise.all([
+  const mapping = onceLoaded(async () => {
+    const [{ createMapping }, { createSceneLine }, { createWorkspaceView }, panel] = await Promise.all([
       import('./ui/workspace/mapping.js'),
       import('./ui/workspace/sceneLine.js'),
       import('./render/workspaceView.js'),
-    ]),
-  );
+      import('./ui/workspace/workspacePanel.js'),
+    ]);
+    createMapping(page);
+    if (stage) {
+      createWorkspaceView(page, stage);
+      createSceneLine(page, shell.view);
+    }
+    return panel;
+  });
+  whenNear(shell.app, '[data-opens=workspace]', mapping);
   lazyPanel(
     page,
     shell.tabs.workspace,
     ({ tab }) => tab === 'workspace',
     async () => {
-      // the panel asks for a map at once
-      const [{ createWorkspacePanel }] = await Promise.all([import('./ui/workspace/workspacePanel.js'), mapping()]);
+      const { createWorkspacePanel } = await mapping();
       return (host) => createWorkspacePanel(page, host);
     },
   );
@@ -190,13 +197,7 @@ function stand(robot, isOther, link) {
   whenFirst(
     page,
     ({ session }) => session.workspace !== null,
-    async () => {
-      const [{ createMapping }, { createSceneLine }, { createWorkspaceView }] = await mapping();
-      createMapping(page);
-      if (!stage) return;
-      createWorkspaceView(page, stage);
-      createSceneLine(page, shell.view);
-    },
+    async () => void (await mapping()),
   );
   whenFirst(
     page,

@@ -1,5 +1,5 @@
 /**
- * Work in pieces of some milliseconds, one a frame, so that nothing waits for it.
+ * Work in pieces of some milliseconds, the first at once and then one a frame, so that nothing waits for it.
  *
  * @import { Clock } from '../model/clock.js'
  */
@@ -14,6 +14,6 @@ export function inSlices(clock, work) {
   function goOn() {
     if (isOn && !work.next().done) clock.onFrame(goOn);
   }
-  clock.onFrame(goOn);
+  goOn();
   return () => void (isOn = false);
 }

@@ -51,7 +51,10 @@ const COARSE = 4;
 const FIRST_PLACES = 5e4;
 
 /** Orientations are asked for so many cubes between two words. */
-const ASKED = 50;
+const ASKED = 15;
+
+/** Middles are asked of so many, or passed over. */
+const MIDDLES = { asked: 800, passed: 40_000 };
 
 /**
  * @param {Chain} chain
@@ -108,10 +111,15 @@ function* askMiddles(voxels, solve, isAll) {
   const { reached, counts } = voxels;
   const landed = reached.slice();
   const postures = new Uint8Array(reached.length);
+  let [asked, passed] = [0, 0];
   const steps = [1, counts[0], counts[0] * counts[1]];
   for (let k = 0; k < reached.length; k++) {
-    if (k % LOOK_SLICE === LOOK_SLICE - 1) yield { stage: 'middles', share: k / reached.length };
+    if (++passed >= MIDDLES.passed || asked >= MIDDLES.asked) {
+      yield { stage: 'middles', share: k / reached.length };
+      asked = passed = 0;
+    }
     if (!landed[k] && !steps.some((step) => landed[k + step] || landed[k - step])) continue;
+    asked++;
     postures[k] = solve(middleOf(voxels, k)).filter(({ isInside }) => isInside).length;
     if (isAll) reached[k] = Number(postures[k] > 0);
   }

@@ -82,9 +82,10 @@ export function* solidOf(map, view, skin, done) {
     }
   }
   const colours = new Uint16Array(corners.length);
-  yield;
+  const isLarge = cubes.length > SIDES_AT_ONCE;
+  if (isLarge) yield;
   for (let k = 0; k < colours.length; k++) colours[k] = sums[k] / counts[Math.floor(k / 3)];
-  yield;
+  if (isLarge) yield;
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(corners, 3));
   geometry.setAttribute('color', new BufferAttribute(colours, 3, true));

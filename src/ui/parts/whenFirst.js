@@ -41,3 +41,21 @@ export function onceLoaded(load) {
     return loading;
   };
 }
+
+/**
+ * What is behind an element is fetched when a hand, or the focus, comes to it: it is there when it is pressed. If that fails, whoever
+ * presses is told.
+ * @param {HTMLElement} host
+ * @param {string} selector
+ * @param {() => Promise<unknown>} load
+ */
+export function whenNear(host, selector, load) {
+  const events = ['pointerover', 'pointerdown', 'focusin'];
+  /** @param {Event} event */
+  const near = ({ target }) => {
+    if (!(target instanceof Element && target.closest(selector))) return;
+    for (const name of events) host.removeEventListener(name, near);
+    load().catch(() => {});
+  };
+  for (const name of events) host.addEventListener(name, near);
+}

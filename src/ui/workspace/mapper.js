@@ -15,10 +15,9 @@ const PATIENCE = 0.4;
 /**
  * @param {Clock} clock
  * @param {(error: Error) => void} onError
+ * @param {Worker | null} [worker]  one that has been started and not been asked
  */
-export function createMapper(clock, onError) {
-  /** @type {Worker | null} */
-  let worker = null;
+export function createMapper(clock, onError, worker = null) {
   let id = 0;
   let isBusy = false;
   let wasBusy = false;
@@ -78,7 +77,7 @@ export function createMapper(clock, onError) {
       wasBusy = true;
       worker?.postMessage({ id: ++id, stop: true });
     },
-    /** Nor will there be another one soon: its memory is let go. */
-    rest: giveUp,
+    /** Nor will there be another one soon: its memory is let go. One that has not been asked yet will be. */
+    rest: () => void (id > 0 && giveUp()),
   };
 }

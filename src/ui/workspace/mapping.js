@@ -14,6 +14,8 @@ import { createFrameLoop } from '../../model/clock.js';
 import { together } from '../../model/views.js';
 import { sectionQuestion, volumeQuestion } from '../../model/workspace/mapQuestions.js';
 import { createProgress } from '../../model/workspace/progress.js';
+import { startJob } from '../parts/startJob.js';
+import { look } from './look.js';
 import { createMapper } from './mapper.js';
 import { sectionInWords, volumeInWords, whyText } from './mapText.js';
 
@@ -28,7 +30,10 @@ const begun = (key) => ({ key, isStale: true, status: 'working', stage: '', shar
 /** @typedef {Extract<MapWorkspaceAnswer, { word: unknown }>['word']} Word */
 /** @typedef {Extract<MapWorkspaceAnswer, { found: unknown }>['found']} Found */
 
-/** @param {Page} page */
+/**
+ * The first worker is started at once: it comes up while somebody still reaches for the panel.
+ * @param {Page} page
+ */
 export function createMapping(page) {
   const { store, addView, clock, messages, derived, announce } = page;
   const chain = () => derived.chain(store.state.doc);
@@ -42,19 +47,21 @@ export function createMapping(page) {
    * @param {'volume' | 'section'} name
    * @param {(state: AppState) => boolean} isCancelled
    * @param {(map: Map) => string} inWords
+   * @param {Worker | null} worker
    */
-  function runner(name, isCancelled, inWords) {
+  function runner(name, isCancelled, inWords, worker) {
     /** @type {Map | null} what is not in the session yet */
     let map = null;
-    const tell = createFrameLoop(clock, () => {
+    const tellNow = () => {
       // whoever cancelled it, or took it away, has seen enough
       if (map && !isCancelled(store.state) && store.state.session.maps[name]?.key === map.key) put({ [name]: map });
-    });
+    };
+    const tell = createFrameLoop(clock, tellNow);
     const fail = (/** @type {unknown} */ error) => {
       change(/** @type {Partial<Map>} */ ({ status: 'failed' }));
       messages.fault(error);
     };
-    const mapper = createMapper(clock, fail);
+    const mapper = createMapper(clock, fail, worker);
 
     /** @param {Partial<Map>} now */
     function change(now) {
@@ -82,7 +89,10 @@ export function createMapping(page) {
           if ('word' in answer) {
             const { stage, share } = answer.word;
             const far = progress.at(stage, share, clock.now());
-            return change({ ...onWord(map, answer.word), ...far, stage });
+            const { isStale } = map;
+            change({ ...onWord(map, answer.word), ...far, stage });
+            if (isStale && !map.isStale) tellNow(); // the first picture waits for nothing
+            return;
           }
           const { found } = answer;
           if (found.kind === 'not-mapped') {
@@ -102,10 +112,10 @@ export function createMapping(page) {
   }
 
   const volumes = /** @type {ReturnType<typeof runner<VolumeMap>>} */ (
-    runner('volume', ({ session }) => session.maps.volume?.status === 'cancelled', (map) => volumeInWords(store.state, map))
+    runner('volume', ({ session }) => session.maps.volume?.status === 'cancelled', (map) => volumeInWords(store.state, map), startJob('mapWorkspace'))
   ); // prettier-ignore
   const sections = /** @type {ReturnType<typeof runner<SectionMap>>} */ (
-    runner('section', ({ session }) => session.maps.section?.status === 'cancelled', (map) => sectionInWords(store.state, map))
+    runner('section', ({ session }) => session.maps.section?.status === 'cancelled', (map) => sectionInWords(store.state, map), null)
   ); // prettier-ignore
   const far = { volume: createProgress({ ...VOLUME }), oriented: createProgress({ ...ORIENTED }), section: createProgress({ ...SECTION }) }; // prettier-ignore
 
@@ -178,6 +188,11 @@ export function createMapping(page) {
     );
   }
 
+  // the question is on its way before the panel is made
+  addView(
+    ({ session }) => session.tab === 'workspace' && session.workspace === null,
+    (isFirst) => isFirst && queueMicrotask(() => look(page, {})),
+  );
   for (const [follow, name] of /** @type {const} */ ([
     [followVolume, 'volume'],
     [followSection, 'section'],
@@ -191,7 +206,7 @@ export function createMapping(page) {
         session.maps[name] === null,
         session.maps[name]?.status === 'cancelled',
       ]),
-      () => clock.onFrame(follow), // not while views are drawn
+      () => queueMicrotask(follow), // not while views are drawn, but still in this frame
     );
   }
 }

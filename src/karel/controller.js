@@ -1,145 +1,226 @@
 /**
- * KAREL and TP programs that call each other, run on one controller: its registers, ports, system variables and time are the
- * same for all. A program that was called runs until it ends; then its caller goes on. Effects are those of the two
- * interpreters, each with the name of its program; a call of a program that is not here stays an effect.
+ * KAREL and TP programs that call each other and run side by side, on one controller: its registers, ports, system variables, arm
+ * and time are the same for all. A program that was called runs until it ends; then its caller goes on. Meanwhile other tasks of a
+ * KAREL program that called go on, its condition handlers are looked at, and programs that RUN and RUN_TASK began have their turns.
+ * Effects are those of the two interpreters, each with the name of its program; a call of a program that is not here stays an effect.
  *
+ * @import { Caller, Controller, ControllerHost, Level, Programs } from './controllerTurns.js'
  * @import { Outcome } from './interpreter.js'
- * @import { Effect, Host, Machine, State } from './run/machine.js'
+ * @import { Effect, Host, Idle, State } from './run/machine.js'
  * @import { Value } from './run/values.js'
- * @import { Memory, TpMachine, TpState } from './tp/run/memory.js'
- * @import { TpListing } from './tp/tree.js'
- * @import { Program } from './tree.js'
- *
- * @typedef {{ name: string, language: 'karel', machine: Machine } | { name: string, language: 'tp', machine: TpMachine }} Level
- *
- * @typedef {object} Controller
- * @property {Programs} programs
- * @property {Host} host
- * @property {Level[]} levels    who runs, last, and who waits for whom
- * @property {Record<string, Value[][]>} globals   what variables of KAREL programs hold between their runs
- * @property {Map<string, ReturnType<typeof linkKarel>>} linked   KAREL programs that have run
- * @property {Outcome | null} refusal              of a program that cannot run
- *
- * @typedef {object} Programs   by their names
- * @property {Readonly<Record<string, Program>>} [karel]
- * @property {Readonly<Record<string, TpListing>>} [listings]
+ * @import { TpState } from './tp/run/memory.js'
  *
  * @typedef {Omit<Outcome, 'state'> & { program: string, state: State | TpState | null }} ControllerOutcome
  */
-import { createMachine, linkKarel, runMachine } from './interpreter.js';
+import { createMachine, linkKarel, runTurns } from './interpreter.js';
+import { handOver, levelAt, memoryOf, nextLevel, passTurn, share, turnsOf } from './controllerTurns.js';
+import { finishMotion, SCAN, waitUntil } from './run/machine.js';
 import { copiedState } from './run/values.js';
-import { createTpMachine, runTpMachine } from './tp/interpreter.js';
+import { createTpMachine, runTpTurns } from './tp/interpreter.js';
 
-/** @param {string} start @param {Programs} programs @param {Host} [host] @returns {Generator<Effect, ControllerOutcome, unknown>} */
+const FIRST = { thread: 0, level: 0 };
+
+/** @param {string} start @param {Programs} programs @param {ControllerHost} [host] @returns {Generator<Effect, ControllerOutcome, unknown>} */
 export function* runController(start, programs, host = {}) {
   return yield* goOn(createController(start, programs, host));
 }
 
-/** @param {string} start  the name of the first program @param {Programs} programs @param {Host} [host] @returns {Controller} */
+/** @param {string} start  the name of the first program @param {Programs} programs @param {ControllerHost} [host] @returns {Controller} */
 export function createController(start, programs, host = {}) {
   /** @type {Controller} */
   const controller = {
-    ...{ programs, host: { ...host, programs: programs.karel }, levels: [], globals: {}, refusal: null },
-    linked: new Map(),
+    ...{
+      programs,
+      host: { ...host, programs: programs.karel, ...lookingOnce(host) },
+      threads: [],
+      globals: {},
+      refusal: null,
+    },
+    ...{ turn: FIRST, last: FIRST, told: FIRST, linked: new Map() },
   };
-  if (!enter(start.toUpperCase(), [], controller))
-    throw new RangeError(`Expected a program that is here, got "${start}".`);
+  const level = levelFor(start.toUpperCase(), [], controller);
+  if (!level) throw new RangeError(`Expected a program that is here, got "${start}".`);
+  controller.threads.push({ levels: [level], isOver: false });
   return controller;
+}
+
+/** Several programs look at their inputs, which change once. @param {Host} host @returns {Pick<Host, 'onScan'>} */
+function lookingOnce({ onScan }) {
+  let last = -1;
+  return {
+    onScan(state) {
+      const look = Math.floor(state.time / SCAN);
+      if (look !== last) onScan?.(state);
+      last = look;
+    },
+  };
 }
 
 /** From where it is. @param {Controller} controller @returns {Generator<Effect, ControllerOutcome, unknown>} */
 export function* goOn(controller) {
-  const { levels } = controller;
-  const running = levels.map(run);
+  /** @type {Map<Level, ReturnType<typeof runTurns> | ReturnType<typeof runTpTurns>>} */
+  const going = new Map();
+  /** Who has nothing to do, and until when. @type {Map<Level, Idle>} */
+  const idle = new Map();
+  const { host, threads } = controller;
   while (true) {
-    const level = levels.at(-1);
-    if (controller.refusal || !level)
-      return {
-        status: 'ended',
-        ...controller.refusal,
-        program: level?.name ?? '',
-        state: level?.machine.state ?? null,
-      };
-    const next = running[running.length - 1].next();
-    if (!next.done) {
-      const effect = next.value;
-      if (
-        effect.kind === 'call' &&
-        enter(String(effect.program), /** @type {Value[]} */ (effect.args ?? []), controller)
-      )
-        running.push(run(/** @type {Level} */ (levels.at(-1))));
-      else yield { ...effect, in: level.name };
+    const { refusal } = controller;
+    if (refusal) return { ...refusal, state: memoryOf(controller) };
+    if (threads.every(({ isOver }) => isOver) || (host.endsWithFirst && threads[0].isOver)) {
+      share(controller, FIRST);
+      yield* finishMotion(memoryOf(controller), threads[0].levels[0].name);
+      return { status: 'ended', program: threads[0].levels[0].name, state: memoryOf(controller) };
+    }
+    const level = nextLevel(controller, idle);
+    if (!level) {
+      const waiting = turnsOf(controller).map((turn) => levelAt(controller, turn));
+      const until = (/** @type {Level} */ one) => idle.get(one)?.until ?? Infinity;
+      const first = waiting.reduce((least, one) => (until(one) < until(least) ? one : least));
+      const waits = /** @type {Idle} */ (idle.get(first));
+      const effect = { ...waitUntil(memoryOf(controller), waits), in: first.name };
+      share(controller, FIRST); // who goes on first does not depend on who was asked last
+      controller.turn = FIRST;
+      yield effect;
       continue;
     }
-    const caller = levels.at(-2);
-    if (next.value.status !== 'ended' || !caller) return { ...next.value, program: level.name };
-    levels.pop();
-    running.pop();
-    handOver(level.machine.state, caller.machine.state);
+    share(controller);
+    let run = going.get(level);
+    if (!run)
+      going.set(level, (run = level.language === 'karel' ? runTurns(level.machine) : runTpTurns(level.machine)));
+    const next = run.next();
+    if (!next.done) {
+      const effect = next.value;
+      if (effect.kind === 'idle') idle.set(level, /** @type {Idle} */ (effect));
+      if (effect.kind === 'idle' || effect.kind === 'turn') passTurn(controller);
+      if (effect.kind === 'idle' || (effect.kind === 'turn' && !host.traceSteps)) continue;
+      if (effect.kind !== 'turn') {
+        controller.told = controller.turn;
+        if (isBegun(effect, controller)) continue;
+      }
+      yield { ...effect, in: level.name };
+      continue;
+    }
+    going.delete(level);
+    const { turn } = controller;
+    const thread = threads[turn.thread];
+    const { status, alarm } = next.value;
+    const isOwn = turn.thread === 0 || thread.levels[0].caller !== null;
+    if (status === 'budget' || (status !== 'ended' && isOwn)) return { ...next.value, program: level.name };
+    if (status === 'ended') idle.delete(release(level, controller));
+    if (status === 'ended' && thread.levels.length > 1) {
+      const caller = { thread: turn.thread, level: turn.level - 1 };
+      share(controller, caller);
+      thread.levels.pop();
+      controller.turn = controller.told = caller;
+    } else thread.isOver = true;
+    if (thread.isOver) passTurn(controller);
+    if (alarm) yield { kind: 'alarm', task: level.name, line: alarm.line, alarm, in: level.name };
   }
 }
 
-/** @param {Level} level @returns {Generator<Effect, Omit<Outcome, 'state'> & { state: State | TpState }, unknown>} */
-const run = (level) => (level.language === 'karel' ? runMachine(level.machine) : runTpMachine(level.machine));
+/** A call, or a program that is to run beside: begun, if it is here. @param {Effect} effect @param {Controller} controller @returns {boolean} */
+function isBegun(effect, controller) {
+  if (effect.kind !== 'call' && effect.kind !== 'run-task') return false;
+  const { threads, turn } = controller;
+  const name = String(effect.program).toUpperCase();
+  const before = threads.findIndex(
+    ({ levels, isOver }) => effect.kind === 'run-task' && levels[0].name === name && !isOver,
+  );
+  if (before >= 0) {
+    effect.runsAlready = true;
+    return false;
+  }
+  const level = levelFor(name, /** @type {Value[]} */ (effect.args ?? []), controller);
+  if (!level) return false;
+  handOver(memoryOf(controller), level.machine.state);
+  if (effect.kind === 'call') level.caller = callerAt(controller);
+  const { levels } = threads[turn.thread];
+  const isTop = turn.level === levels.length - 1;
+  if (effect.kind === 'call' && isTop && !level.caller?.task) {
+    levels.push(level);
+    controller.turn = { thread: turn.thread, level: levels.length - 1 };
+    return true;
+  }
+  const free = threads.findIndex(({ isOver }, i) => i > 0 && isOver);
+  threads.splice(free < 0 ? threads.length : free, 1, { levels: [level], isOver: false });
+  return true;
+}
+
+/** Who calls waits. @param {Controller} controller @returns {Caller | null} null: a TP program, which waits by itself */
+function callerAt(controller) {
+  const { turn } = controller;
+  const { language, machine } = levelAt(controller, turn);
+  if (language !== 'karel') return null;
+  const { tasks, current } = machine.state;
+  const { frames } = tasks[current];
+  frames[frames.length - 1].isCalling = true;
+  tasks[current].wake = Infinity;
+  return { ...turn, task: current, depth: frames.length - 1 };
+}
+
+/** Whoever called a program that is over goes on. @param {Level} level @param {Controller} controller @returns {Level} who that is, or itself */
+function release(level, controller) {
+  if (!level.caller) return level;
+  const caller = levelAt(controller, level.caller);
+  const task = caller.language === 'karel' ? caller.machine.state.tasks[level.caller.task] : undefined;
+  if (!task) return level;
+  delete task.frames[level.caller.depth]?.isCalling;
+  task.wake = 0;
+  return caller;
+}
 
 /** What is known of the controller, as it is now. @param {Controller} controller */
-export const saveController = ({ levels, globals }) =>
-  copiedState({ levels: levels.map((level) => ({ ...level, machine: null, state: level.machine.state })), globals });
+export function saveController(controller) {
+  const { threads, globals, turn, told } = controller;
+  const memory = memoryOf(controller);
+  for (const { levels } of threads) for (const { machine } of levels) handOver(memory, machine.state);
+  const saved = threads.map(({ levels, isOver }) => ({
+    isOver,
+    levels: levels.map((level) => ({ ...level, machine: null, state: level.machine.state })),
+  }));
+  return copiedState({ threads: saved, globals, turn, told });
+}
 
 /** @param {Controller} controller @param {ReturnType<typeof saveController>} saved */
 export function restoreController(controller, saved) {
-  const { levels, globals } = copiedState(saved);
-  controller.globals = globals;
-  controller.refusal = null;
-  controller.levels.splice(
-    0,
-    Infinity,
-    ...levels.map(({ name, language, state }) => {
+  const { threads, globals, turn, told } = copiedState(saved);
+  Object.assign(controller, { globals, refusal: null, turn, last: turn, told });
+  const restored = threads.map(({ levels, isOver }) => ({
+    isOver,
+    levels: levels.map(({ name, language, state, caller }) => {
       const level = levelFor(name, [], controller);
       if (!level || level.language !== language)
         throw new RangeError(`Expected a state of these programs, got one of "${name}".`);
       level.machine.state = /** @type {State & TpState} */ (state);
-      return level;
+      return Object.assign(level, { caller });
     }),
-  );
+  }));
+  controller.threads.splice(0, Infinity, ...restored);
 }
 
-/** @param {string} name  in capitals @param {Value[]} args @param {Controller} controller @returns {boolean} whether it is here */
-function enter(name, args, controller) {
-  const caller = controller.levels.at(-1);
-  const level = levelFor(name, args, controller);
-  if (!level) return false;
-  if (caller) handOver(caller.machine.state, level.machine.state);
-  controller.levels.push(level);
-  return true;
-}
-
-/** @param {string} name @param {Value[]} args @param {Controller} controller @returns {Level | null} */
+/** @param {string} name  in capitals @param {Value[]} args @param {Controller} controller @returns {Level | null} */
 function levelFor(name, args, controller) {
   const { programs, host, globals } = controller;
   const listing = named(programs.listings, name);
-  if (listing)
-    return { name, language: 'tp', machine: createTpMachine(listing, host, { listings: programs.listings, args }) };
+  if (listing) {
+    const machine = createTpMachine(listing, host, { listings: programs.listings, args });
+    return { name, language: 'tp', machine, caller: null };
+  }
   const tree = named(programs.karel, name);
   if (!tree) return null;
   // Linked once: what a state counts (programs, routines) is the same when it is put back.
   const linker = controller.linked.get(name) ?? linkKarel(tree, host);
   controller.linked.set(name, linker);
   const { machine, errors } = createMachine(tree, host, linker);
-  if (errors.length) controller.refusal = { status: 'refused', state: machine.state, diagnostics: errors };
+  if (errors.length)
+    controller.refusal = { status: 'refused', program: name, state: machine.state, diagnostics: errors };
   machine.state.globals = globals[name] ??= machine.state.globals;
   machine.state.args = args;
-  return { name, language: 'karel', machine };
+  return { name, language: 'karel', machine, caller: null };
 }
 
 /** @template T @param {Readonly<Record<string, T>> | undefined} all @param {string} name in capitals @returns {T | undefined} */
 function named(all, name) {
   const key = Object.keys(all ?? {}).find((one) => one.toUpperCase() === name);
   return key === undefined ? undefined : all?.[key];
-}
-
-/** The controller's memory goes from one program to the other: what is in it is the same, not a copy. @param {Memory} from @param {Memory} to */
-function handOver(from, to) {
-  const { time, steps, ports, registers, positionRegisters, stringRegisters, system, pulses, timers } = from;
-  Object.assign(to, { time, steps, ports, registers, positionRegisters, stringRegisters, system, pulses, timers });
 }

@@ -3,14 +3,14 @@
  * happen, and goes on when it is asked to. Everything that it knows is one plain state, which can be copied and put back.
  *
  * Effects: `write` { device, text }, `read` (put lines into `machine.state.input`, then go on), `wait` { milliseconds } (time
- * passed: inputs may change), `move`, `call` { program, args } of what is no KAREL here (TP), `run-task`, `error` (POST_ERR), `alarm` { task } of a task that is
+ * passed: inputs may change), `move` (say with `takeTime` of run/arm.js how long it takes, then go on), `call` { program, args } of what is no KAREL here (TP), `run-task`, `error` (POST_ERR), `alarm` { task } of a task that is
  * not the program's own,
  * `motion-control`, `hand`, `pause`, `step` { line } where they are wanted, and with them `turn` where a loop runs without any. The generator's value says how it ended:
  * `ended`, `aborted`, `alarm` with line and reason, `budget`, or `refused` with what the checker has against the program.
  *
  * @import { Fragment, Program } from './tree.js'
  * @import { Diagnostic } from './parse/cursor.js'
- * @import { Effect, Host, Machine, State } from './run/machine.js'
+ * @import { Effect, Host, Idle, Machine, State } from './run/machine.js'
  *
  * @typedef {{ code: string, reason: string, line: number, routine: string }} AlarmText
  * @typedef {Effect & { alarm: AlarmText }} AlarmEffect
@@ -25,7 +25,18 @@ import { link } from './run/link.js';
 import { firstGlobals } from './run/programs.js';
 import { firstSystem } from './run/systemVariables.js';
 import { newTask, nextTask } from './run/tasks.js';
-import { currentLine, DEFAULT_STEPS, passTime, pushFrame, runSlice, SCAN, scanHandlers } from './run/machine.js';
+import { newArm } from './run/arm.js';
+import { scanHandlers } from './run/handlers.js';
+import {
+  currentLine,
+  DEFAULT_STEPS,
+  finishMotion,
+  passTime,
+  pushFrame,
+  runSlice,
+  SCAN,
+  waitUntil,
+} from './run/machine.js';
 
 /** @param {Program | Fragment} tree @param {Host} [host] @returns {Generator<Effect, Outcome, unknown>} */
 export function* runKarel(tree, host = {}) {
@@ -54,7 +65,7 @@ export function createMachine(tree, host = {}, linker = linkKarel(tree, host)) {
     files: Object.fromEntries(Object.entries(host.files ?? {}).map(([name, text]) => [name.toUpperCase(), text])),
     input: [...(host.input ?? [])],
     args: [],
-    ...{ semaphores: {}, system: firstSystem(), timers: [], pulses: [] },
+    ...{ semaphores: {}, system: firstSystem(), timers: [], pulses: [], arm: newArm() },
   };
   /** @type {Machine} */
   const machine = { image, linker, state, host, effect: null, globals: state.globals[0] };
@@ -76,6 +87,20 @@ export function restoreState(machine, state) {
 
 /** From where the machine is. @param {Machine} machine @returns {Generator<Effect, Outcome, unknown>} */
 export function* runMachine(machine) {
+  const turns = runTurns(machine);
+  for (let next = turns.next(); ; next = turns.next()) {
+    if (next.done) {
+      if (next.value.status === 'ended') yield* finishMotion(machine.state);
+      return next.value;
+    }
+    const effect = next.value;
+    if (effect.kind === 'turn' && !machine.host.traceSteps) continue;
+    yield effect.kind === 'idle' ? waitUntil(machine.state, /** @type {Idle} */ (effect)) : effect;
+  }
+}
+
+/** The same, for whoever has the time: `turn` where others may have theirs, and `idle` where it has nothing to do. @param {Machine} machine @returns {Generator<Effect, Outcome, unknown>} */
+export function* runTurns(machine) {
   const most = machine.host.steps ?? DEFAULT_STEPS;
   while (true) {
     scan(machine);
@@ -88,8 +113,11 @@ export function* runMachine(machine) {
       if (effect?.kind === 'alarm' && turn === 0)
         return { status: 'alarm', state: machine.state, alarm: /** @type {AlarmEffect} */ (effect).alarm };
       if (effect) yield effect;
-    } else if (state.tasks.some(({ status }) => status === 'running')) yield waitForAll(machine);
-    else return { status: state.tasks[0].isAborted ? 'aborted' : 'ended', state };
+      continue;
+    }
+    const wakes = state.tasks.flatMap(({ status, wake }) => (status === 'running' ? [wake] : []));
+    if (wakes.length === 0) return { status: state.tasks[0].isAborted ? 'aborted' : 'ended', state };
+    yield { kind: 'idle', until: Math.min(...wakes, state.nextScan), line: currentLine(machine) };
   }
 }
 
@@ -100,7 +128,7 @@ function runTurn(machine, most) {
     const how = runSlice(machine, most);
     const { effect } = machine;
     machine.effect = null;
-    if (how === 'slice' && machine.host.traceSteps) return { kind: 'turn', line: currentLine(machine) };
+    if (how === 'slice') return { kind: 'turn', line: currentLine(machine) };
     if (how !== 'over') return effect;
     task.status = 'ended';
     task.isAborted = effect?.kind === 'abort';
@@ -114,16 +142,6 @@ function runTurn(machine, most) {
     const line = currentLine(machine);
     return { kind: 'alarm', task: task.name, line, alarm: { code: alarm.code, reason: alarm.message, line, routine } };
   }
-}
-
-/** Time goes on to where the first task may go on, or the conditions are looked at. @param {Machine} machine @returns {Effect} */
-function waitForAll(machine) {
-  const { state } = machine;
-  const wakes = state.tasks.flatMap(({ status, wake }) => (status === 'running' ? [wake] : []));
-  const milliseconds = Math.min(...wakes, state.nextScan) - state.time;
-  if (milliseconds > 0) state.time += milliseconds;
-  state.steps++;
-  return { kind: 'wait', milliseconds, line: currentLine(machine) };
 }
 
 /** @param {Machine} machine */

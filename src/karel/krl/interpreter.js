@@ -2,6 +2,7 @@
  * A KRL module, run: a generator of the effects of a TP program. PTP is J, LIN is L, CIRC is C; a position has X Y Z and C B A as
  * x y z w p r, and with them `status` and `turn` where they are given.
  *
+ * @import { Arm } from '../run/arm.js'
  * @import { Effect, Host } from '../run/machine.js'
  * @import { KrlDatum, KrlModule, KrlMotion } from './tree.js'
  *
@@ -16,6 +17,7 @@
  * @property {Record<number, boolean>} inputs  that somebody has set
  * @property {boolean} isPlaced  a motion has said where all axes are
  * @property {boolean} isTold    that the statement is about to run
+ * @property {Arm} arm
  * @typedef {{ module: KrlModule, state: KrlState, host: KrlHost }} KrlMachine
  * @typedef {Pick<Host, 'steps' | 'traceSteps'> & { input?: (index: number, time: number) => boolean }} KrlHost  input: instead of those of the state
  *
@@ -24,6 +26,7 @@
  * @property {{ code: string, reason: string, line: number, routine: string }} [alarm]
  * @property {KrlState} state
  */
+import { advanceArm, beginMotion, newArm, nextOfArm } from '../run/arm.js';
 import { copiedState } from '../run/values.js';
 
 const MOTION = /** @type {const} */ ({ PTP: 'J', LIN: 'L', CIRC: 'C' });
@@ -40,7 +43,7 @@ export const createKrlMachine = (module, host = {}) => ({
   ...{ module, host },
   state: {
     ...{ at: 0, time: 0, steps: 0, set: { BASE: 0, TOOL: 0 }, outputs: {}, inputs: {} },
-    ...{ isPlaced: false, isTold: false },
+    ...{ isPlaced: false, isTold: false, arm: newArm() },
   },
 });
 
@@ -57,6 +60,13 @@ export function* runKrlMachine(machine) {
   const places = new Map(data.map((datum) => [datum.name.toUpperCase(), datum]));
   while (true) {
     const { state } = machine;
+    advanceArm(state.arm, state.time);
+    if (state.arm.motion) {
+      const milliseconds = Math.min(SCAN, nextOfArm(state.arm) - state.time);
+      state.time += milliseconds;
+      yield { kind: 'wait', milliseconds, line: state.arm.motion.effect.line };
+      continue;
+    }
     const node = statements[state.at];
     if (!node) return { status: 'ended', state };
     const line = node.span?.line ?? 0;
@@ -78,6 +88,7 @@ export function* runKrlMachine(machine) {
         if (node.motion !== 'PTP' && !state.isPlaced) return alarm('first-motion', 'the first motion has to be PTP');
         state.isPlaced = true;
         pass(state);
+        beginMotion(state.arm, { ...effect, line }, state.time);
         yield { ...effect, line, program: name };
         continue;
       }

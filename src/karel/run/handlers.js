@@ -1,13 +1,16 @@
 /**
- * Conditions and condition handlers: what is watched, and what runs when it is met. A handler is disabled when it fires.
+ * Conditions and condition handlers, global ones and those of a MOVE: what is watched, and what runs when it is met. A handler is
+ * disabled when it fires.
  *
- * @import { Body, Conditions, Statement, Term } from '../tree.js'
+ * @import { Body, Clause, Conditions, Statement, Term } from '../tree.js'
  * @import { Compiler } from './compiler.js'
- * @import { Code, ConditionTest } from './machine.js'
+ * @import { Code, ConditionTest, Machine, Occurred, State } from './machine.js'
  */
+import { cancelMotion, isUnderWay } from './arm.js';
 import { createCompiler } from './compiler.js';
+import { emitPlain } from './emit.js';
 import { compileExpression, compileReference } from './expressions.js';
-import { returnNothing } from './machine.js';
+import { pushFrame, returnNothing } from './machine.js';
 import { Alarm, number, truth } from './values.js';
 
 /** @param {Conditions} conditions @param {Compiler} compiler @returns {ConditionTest} */
@@ -43,10 +46,14 @@ function compileTerm(term, i, compiler) {
   return (m, f) => truth(value(m, f));
 }
 
-/** @param {Extract<Statement, { kind: 'condition' }>} statement @param {Compiler} compiler @param {(body: Body, compiler: Compiler) => void} compileBody */
-export function compileHandler({ number: node, clauses }, compiler, compileBody) {
+/** @typedef {(body: Body, compiler: Compiler) => void} CompileBody */
+
+/** Conditions with what is done where they are met. @param {readonly Clause[]} clauses @param {readonly Conditions[]} cancels  of the motion @param {Compiler} compiler @param {CompileBody} compileBody @returns {number} the handler's index */
+export function compileClauses(clauses, cancels, compiler, compileBody) {
   const { image } = compiler.linker;
-  const conditions = clauses.map((clause) => compileConditions(clause.conditions, compiler));
+  const conditions = [...clauses.map((clause) => clause.conditions), ...cancels].map((one) =>
+    compileConditions(one, compiler),
+  );
   const actions = clauses.map((clause) => {
     /** @type {Code} */
     const code = {
@@ -66,22 +73,78 @@ export function compileHandler({ number: node, clauses }, compiler, compileBody)
     code.slots = inner.slots();
     return index;
   });
-  const handler = image.handlers.push({ conditions, actions }) - 1;
+  return image.handlers.push({ conditions, actions: [...actions, ...cancels.map(() => CANCELS)] }) - 1;
+}
+
+/** Instead of actions: the motion is cancelled. */
+const CANCELS = -1;
+
+/** @param {Extract<Statement, { kind: 'condition' }>} statement @param {Compiler} compiler @param {CompileBody} compileBody */
+export function compileHandler({ number: node, clauses }, compiler, compileBody) {
+  const handler = compileClauses(clauses, [], compiler, compileBody);
   const index = compileExpression(node, compiler);
-  const next = compiler.here() + 1;
-  compiler.emit((machine, frame) => {
+  emitPlain(compiler, (machine, frame) => {
     const { state } = machine;
     const wanted = number(index(machine, frame));
-    if (state.handlers.some((one) => one.number === wanted && one.task === state.current)) {
-      throw new Alarm(`CONDITION[${wanted}] is defined already`, 'condition');
-    }
+    if (handlerOf(state, wanted)) throw new Alarm(`CONDITION[${wanted}] is defined already`, 'condition');
     state.handlers.push({
       number: wanted,
       task: state.current,
       handler,
       isEnabled: false,
-      before: conditions.map(() => []),
+      before: clauses.map(() => []),
     });
-    return next;
   });
+}
+
+/** @param {State} state @param {number} wanted */
+const handlerOf = ({ handlers, current }, wanted) =>
+  handlers.find((one) => one.number === wanted && one.task === current && one.motion === undefined);
+
+/** @param {Extract<Statement, { kind: 'handler-control' }>} statement @param {Compiler} compiler */
+export function compileHandlerControl({ action, number: node }, compiler) {
+  const index = compileExpression(node, compiler);
+  emitPlain(compiler, (machine, frame) => {
+    const { state } = machine;
+    const wanted = number(index(machine, frame));
+    const found = handlerOf(state, wanted);
+    if (!found) throw new Alarm(`CONDITION[${wanted}] is not defined`, 'condition');
+    found.isEnabled = action === 'ENABLE';
+    if (action === 'ENABLE') found.before = found.before.map(() => []);
+    if (action === 'PURGE') state.handlers.splice(state.handlers.indexOf(found), 1);
+  });
+}
+
+/** Those of a MOVE, watched for as long as it is under way; once it is stopped they are not. @param {Machine} machine @param {number} handler @param {number} motion */
+export function watchMotion({ state, image }, handler, motion) {
+  state.handlers.push({
+    ...{ number: 0, task: state.current, handler, isEnabled: true, motion },
+    before: image.handlers[handler].conditions.map(() => []),
+    depth: state.tasks[state.current].frames.length - 1,
+  });
+}
+
+/** Handlers whose conditions are met fire: they are disabled, and their actions run as an interrupt of their task. @param {Machine} machine @param {Occurred | null} event */
+export function scanHandlers(machine, event) {
+  const { state, image } = machine;
+  const { arm } = state;
+  if (state.handlers.some(({ motion }) => motion !== undefined && !isUnderWay(arm, motion)))
+    state.handlers = state.handlers.filter(({ motion }) => motion === undefined || isUnderWay(arm, motion));
+  for (const handler of state.handlers) {
+    if (!handler.isEnabled || (handler.motion !== undefined && handler.motion !== arm.motion?.number)) continue;
+    const task = state.tasks[handler.task];
+    const frame = task?.frames[handler.depth ?? 0] ?? task?.frames[0];
+    if (!task || task.status === 'ended' || !frame) continue;
+    const { conditions, actions } = image.handlers[handler.handler];
+    machine.globals = state.globals[image.codes[frame.code].program];
+    for (const [i, isMet] of conditions.entries()) {
+      if (!isMet(machine, frame, handler.before[i], event)) continue;
+      handler.isEnabled = false;
+      if (actions[i] === CANCELS) cancelMotion(arm);
+      else pushFrame(machine, task, actions[i], [], -1);
+      // What interrupts does not wait for what it interrupts; the wait is looked at again afterwards.
+      task.wake = Math.min(task.wake, state.time);
+      break;
+    }
+  }
 }

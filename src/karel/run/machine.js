@@ -5,6 +5,7 @@
  * @import { Program } from '../tree.js'
  * @import { Analysis } from '../check/analysis.js'
  * @import { Reference, Value } from './values.js'
+ * @import { Arm } from './arm.js'
  *
  * @typedef {(machine: Machine, frame: Frame) => number} Instruction  gives the next program counter, or one of the marks below
  * @typedef {object} Code
@@ -15,9 +16,22 @@
  * @property {number[]} lines
  * @property {((machine: Machine) => Value)[]} initial  by slot: what a local holds at first
  *
- * @typedef {{ code: number, pc: number, locals: Value[], result: number }} Frame  result: where in the caller's locals
+ * @typedef {object} Frame
+ * @property {number} code
+ * @property {number} pc
+ * @property {Value[]} locals
+ * @property {number} result         where in the caller's locals
+ * @property {boolean} [isCalling]   a program that runs elsewhere, and waits for its end
  * @typedef {{ name: string, frames: Frame[], wake: number, status: 'running' | 'paused' | 'ended', isAborted?: boolean }} Task
- * @typedef {{ number: number, task: number, handler: number, isEnabled: boolean, before: boolean[][] }} Handler
+ *
+ * @typedef {object} Handler
+ * @property {number} number
+ * @property {number} task
+ * @property {number} handler
+ * @property {boolean} isEnabled
+ * @property {boolean[][]} before
+ * @property {number} [motion]   for how long it lasts: that of a MOVE
+ * @property {number} [depth]    of the frame that it is in
  *
  * @typedef {object} State
  * @property {number} time            ms
@@ -38,10 +52,12 @@
  * @property {Record<string, Value>} system     system variables by their text
  * @property {{ holder: Record<string | number, Value>, key: string | number, since: number, from: number }[]} timers
  * @property {{ kind: string, port: string, index: number, value: boolean, at: number }[]} pulses
+ * @property {Arm} arm
  *
  * @typedef {{ kind: string, line?: number, [detail: string]: unknown }} Effect
+ * @typedef {{ kind: 'idle', until: number, line: number, [detail: string]: unknown }} Idle  whoever says so has nothing to do until then
  * @typedef {{ codes: Code[], handlers: CompiledHandler[], entries: Record<string, number> }} Image
- * @typedef {{ conditions: ConditionTest[], actions: number[] }} CompiledHandler
+ * @typedef {{ conditions: ConditionTest[], actions: number[] }} CompiledHandler  actions: codes, or CANCELS
  * @typedef {(machine: Machine, frame: Frame, before: boolean[], event: Occurred | null) => boolean} ConditionTest
  * @typedef {{ name: string, number: number }} Occurred
  *
@@ -78,6 +94,7 @@
  * @property {Kinematics} [kinematics]
  * @property {(state: State) => void} [onScan]                inputs may change here
  */
+import { advanceArm, nextOfArm } from './arm.js';
 import { Alarm } from './values.js';
 
 /** The frame changed: go on with the top one. */
@@ -109,6 +126,7 @@ export function runSlice(machine, most) {
   machine.globals = state.globals[image.codes[frame.code].program];
   let { pc } = frame;
   try {
+    if (frame.isCalling) return callOn(task);
     while (left > 0) {
       left--;
       const next = instructions[pc](machine, frame);
@@ -118,6 +136,7 @@ export function runSlice(machine, most) {
         instructions = image.codes[frame.code].instructions;
         machine.globals = state.globals[image.codes[frame.code].program];
         pc = frame.pc;
+        if (frame.isCalling) return callOn(task);
       } else {
         pc = frame.pc;
         return next === OVER ? 'over' : 'halt';
@@ -129,6 +148,12 @@ export function runSlice(machine, most) {
     state.steps += planned - left;
     state.time += (planned - left) * STATEMENT_TIME;
   }
+}
+
+/** What interrupted a call is over; the call is not. @param {Task} task @returns {'halt'} */
+function callOn(task) {
+  task.wake = Infinity;
+  return 'halt';
 }
 
 /** The line that the current task is at. @param {Machine} machine */
@@ -147,34 +172,33 @@ export function pushFrame(machine, task, code, args, result) {
   task.frames.push({ code, pc: 0, locals, result });
 }
 
-/** Handlers whose conditions are met fire: they are disabled, and their actions run as an interrupt of their task. @param {Machine} machine @param {Occurred | null} event */
-export function scanHandlers(machine, event) {
-  const { state, image } = machine;
-  for (const handler of state.handlers) {
-    if (!handler.isEnabled) continue;
-    const task = state.tasks[handler.task];
-    const frame = task?.frames[0];
-    if (!task || task.status === 'ended' || !frame) continue;
-    const { conditions, actions } = image.handlers[handler.handler];
-    machine.globals = state.globals[image.codes[frame.code].program];
-    for (const [i, isMet] of conditions.entries()) {
-      if (!isMet(machine, frame, handler.before[i], event)) continue;
-      handler.isEnabled = false;
-      pushFrame(machine, task, actions[i], [], -1);
-      // What interrupts does not wait for what it interrupts; the wait is looked at again afterwards.
-      task.wake = Math.min(task.wake, state.time);
-      break;
-    }
-  }
-}
-
-/** What time brings: pulses end, timers run. @param {{ state: Pick<State, 'time' | 'timers' | 'pulses' | 'ports'> }} machine */
+/** What time brings: the arm moves, pulses end, timers run. @param {{ state: Pick<State, 'time' | 'timers' | 'pulses' | 'ports' | 'arm'> }} machine */
 export function passTime({ state }) {
+  advanceArm(state.arm, state.time);
   for (const { holder, key, since, from } of state.timers) holder[key] = Math.trunc(from + state.time - since);
   const over = state.pulses.filter(({ at }) => at <= state.time);
   if (over.length === 0) return;
   for (const { port, index, value } of over) (state.ports[port] ??= {})[index] = value;
   state.pulses = state.pulses.filter(({ at }) => at > state.time);
+}
+
+/** Nobody has anything to do: time goes on. @param {Pick<State, 'time' | 'steps'>} state @param {Idle} idle @returns {Effect} */
+export function waitUntil(state, { until, line, program }) {
+  const milliseconds = until - state.time;
+  if (milliseconds > 0) state.time = until;
+  state.steps++;
+  return { kind: 'wait', milliseconds, line, ...(program !== undefined && { program }) };
+}
+
+/** Programs are over; a motion that nobody waits for is made to its end. @param {Pick<State, 'time' | 'steps' | 'arm' | 'timers' | 'pulses' | 'ports'>} state @param {string} [name]  of the program @returns {Generator<Effect, void>} */
+export function* finishMotion(state, name) {
+  for (passTime({ state }); nextOfArm(state.arm) < Infinity; passTime({ state })) {
+    const until = Math.min(nextOfArm(state.arm), state.time + SCAN);
+    yield {
+      ...waitUntil(state, { kind: 'idle', until, line: state.arm.motion?.effect.line ?? 0 }),
+      ...(name && { in: name }),
+    };
+  }
 }
 
 /** @type {Instruction} */

@@ -7,9 +7,9 @@
 import { compileAssignment } from './assignment.js';
 import { emitEffect, emitPlain } from './emit.js';
 import { compileCall, emitCall, compileExpression, compileReference } from './expressions.js';
-import { compileConditions, compileHandler } from './handlers.js';
-import { HALT, OVER, pushFrame, SCAN, scanHandlers, SWITCH } from './machine.js';
-import { compileMove } from './motion.js';
+import { compileConditions, compileHandler, compileHandlerControl, scanHandlers } from './handlers.js';
+import { HALT, OVER, pushFrame, SCAN, SWITCH } from './machine.js';
+import { compileMotionControl, compileMove } from './motion.js';
 import { linkedProgram } from './programs.js';
 import { compileDelay, compilePend, compilePulse } from './time.js';
 import { compileFileStatement, compileTransfer } from './transfer.js';
@@ -112,19 +112,8 @@ function compileStatement(statement, compiler) {
       return compileBody(statement.body, compiler);
     case 'condition':
       return compileHandler(statement, compiler, compileBody);
-    case 'handler-control': {
-      const { action } = statement;
-      const index = compileExpression(statement.number, compiler);
-      return emitPlain(compiler, (machine, frame) => {
-        const { state } = machine;
-        const wanted = number(index(machine, frame));
-        const found = state.handlers.find((one) => one.number === wanted && one.task === state.current);
-        if (!found) throw new Alarm(`CONDITION[${wanted}] is not defined`, 'condition');
-        found.isEnabled = action === 'ENABLE';
-        if (action === 'ENABLE') found.before = found.before.map(() => []);
-        if (action === 'PURGE') state.handlers.splice(state.handlers.indexOf(found), 1);
-      });
-    }
+    case 'handler-control':
+      return compileHandlerControl(statement, compiler);
     case 'signal': {
       const index = compileExpression(statement.number, compiler);
       const isEvent = statement.what === 'EVENT';
@@ -147,10 +136,8 @@ function compileStatement(statement, compiler) {
         if (isConnect) state.timers.push({ holder, key, since: state.time, from: number(holder[key] ?? 0) });
       });
     }
-    case 'motion-control': {
-      const { action } = statement;
-      return emitEffect(compiler, () => ({ kind: 'motion-control', action }));
-    }
+    case 'motion-control':
+      return compileMotionControl(statement, compiler);
     case 'hand': {
       const { action } = statement;
       const index = compileExpression(statement.number, compiler);
@@ -161,7 +148,7 @@ function compileStatement(statement, compiler) {
       }));
     }
     case 'move':
-      return compileMove(statement, compiler);
+      return compileMove(statement, compiler, compileBody);
     case 'comment':
     case 'directive':
     case 'action':

@@ -5,7 +5,7 @@
  * knows is one plain state.
  *
  * @import { Outcome } from '../interpreter.js'
- * @import { Effect, Host, State } from '../run/machine.js'
+ * @import { Effect, Host, Idle, State } from '../run/machine.js'
  * @import { Value } from '../run/values.js'
  * @import { TpListing, TpMotion } from './tree.js'
  * @import { Memory, TpFrame, TpMachine, TpState } from './run/memory.js'
@@ -17,7 +17,8 @@
  * @property {Memory} [memory]   the controller's, where it has been used already
  * @property {readonly Value[]} [args]
  */
-import { DEFAULT_STEPS, passTime, SCAN, STATEMENT_TIME } from '../run/machine.js';
+import { cancelMotion, isUnderWay, newArm, nextOfArm } from '../run/arm.js';
+import { DEFAULT_STEPS, passTime, SCAN, STATEMENT_TIME, waitUntil } from '../run/machine.js';
 import { Alarm, copiedState } from '../run/values.js';
 import { evaluate, truthOf } from './run/evaluate.js';
 import { execute, frameFor, jump } from './run/execute.js';
@@ -40,7 +41,7 @@ export function createTpMachine(listing, host = {}, { listings = {}, memory, arg
 /** @returns {Memory} */
 const emptyMemory = () => ({
   ...{ time: 0, steps: 0, ports: {}, registers: {}, positionRegisters: {}, stringRegisters: {} },
-  ...{ system: {}, pulses: [], timers: [] },
+  ...{ system: {}, pulses: [], timers: [], arm: newArm() },
 });
 
 /** @param {TpMachine} machine */
@@ -55,21 +56,42 @@ export const restoreTpState = (machine, state) => void (machine.state = copiedSt
  * @returns {Generator<Effect, TpOutcome, unknown>}
  */
 export function* runTpMachine(machine) {
+  const turns = runTpTurns(machine);
+  for (let next = turns.next(); ; next = turns.next()) {
+    if (next.done) return next.value;
+    const effect = next.value;
+    if (effect.kind === 'turn') continue;
+    yield effect.kind === 'idle' ? waitUntil(machine.state, /** @type {Idle} */ (effect)) : effect;
+  }
+}
+
+/** Instructions before others have their turn. */
+const TURN = 100;
+
+/** The same, for whoever has the time: `turn` where others may have theirs, and `idle` where it has nothing to do. @param {TpMachine} machine @returns {Generator<Effect, TpOutcome, unknown>} */
+export function* runTpTurns(machine) {
   const { host, codes } = machine;
   const most = host.steps ?? DEFAULT_STEPS;
   while (true) {
     const { state } = machine;
-    scan(machine);
+    passTime({ state });
     const frame = state.frames.at(-1);
     if (!frame) return { status: 'ended', state };
     if (state.steps >= most) return { status: 'budget', state };
     const code = codes.get(frame.program);
+    waken(frame, state.time, code);
     const line = code?.lines[frame.at];
-    const place = line?.span?.line ?? frame.at + 1;
+    const move = frame.skip === undefined ? undefined : code?.lines[frame.skip];
+    const place = (move ?? line)?.span?.line ?? frame.at + 1;
     /** @type {Effect | null} */
     let effect;
     try {
-      if (code && frame.skip !== undefined) {
+      const until = waitsUntil(machine, frame, code);
+      if (until > state.time) {
+        yield { kind: 'idle', until, line: place, program: frame.program };
+        continue;
+      }
+      if (code && move) {
         skipOrGoOn(machine, frame, code);
         continue;
       }
@@ -94,35 +116,75 @@ export function* runTpMachine(machine) {
     }
     if (effect?.kind === 'abort') return { status: 'aborted', state };
     if (effect) yield { ...effect, line: place, program: effect.program ?? frame.program };
+    else if (state.steps % TURN === 0) yield { kind: 'turn', line: place };
   }
 }
 
 const SILENT = new Set(['blank', 'remark', 'disabled', 'label']);
 
-/** @param {TpMachine} machine */
+/** What it waited for is there. @param {TpFrame} frame @param {number} time @param {TpCode} [code] */
+function waken(frame, time, code) {
+  if (frame.wake === undefined || frame.wake > time) return;
+  delete frame.wake;
+  if (code?.lines[frame.at]?.instruction.kind === 'wait') frame.at++;
+}
+
+/** Until when a program waits: for some time, for its motion, or for the arm. Not after now: it goes on. @param {TpMachine} machine @param {TpFrame} frame @param {TpCode} [code] */
+function waitsUntil(machine, frame, code) {
+  const { state } = machine;
+  if (frame.wake !== undefined) return frame.wake;
+  if (frame.look !== undefined && frame.look > state.time) return frame.look;
+  const isLook = scan(machine);
+  const isMoving = frame.motion !== undefined && isUnderWay(state.arm, frame.motion);
+  if (isMoving && isLook && code) watchSkip(machine, frame, code);
+  if (isMoving || (state.arm.motion && code?.lines[frame.at]?.instruction.kind === 'motion'))
+    return (frame.look = Math.min(nextOfArm(state.arm), state.nextScan));
+  delete frame.motion;
+  delete frame.look;
+  return -Infinity;
+}
+
+/** @param {TpMachine} machine @returns {boolean} whether it is time to look at what is watched */
 function scan({ state, host }) {
-  passTime({ state });
-  if (state.time < state.nextScan) return;
+  if (state.time < state.nextScan) return false;
   state.nextScan = state.time + SCAN;
   host.onScan?.(/** @type {State} */ (/** @type {unknown} */ (state)));
+  return true;
 }
 
 /** @param {TpMotion} motion */
 const skipOf = ({ options }) => options.find(({ name }) => name.toUpperCase() === 'SKIP')?.value;
 
+/** Skip,LBL[n]: a move whose condition is met comes to rest on its way. @param {TpMachine} machine @param {TpFrame} frame @param {TpCode} code */
+function watchSkip(machine, frame, code) {
+  const { arm } = machine.state;
+  if (frame.skip === undefined || frame.isSkipped || arm.motion?.number !== frame.motion) return;
+  if (!isSkipMet(machine, frame, code)) return;
+  frame.isSkipped = true;
+  cancelMotion(arm);
+}
+
 /**
- * Skip,LBL[n]: where the condition was not met until the move had ended, the program goes on at the label.
+ * Where the condition was not met until the move had ended, the program goes on at the label.
  * @param {TpMachine} machine
  * @param {TpFrame} frame
  * @param {TpCode} code
  */
 function skipOrGoOn(machine, frame, code) {
   const motion = code.lines[frame.skip ?? 0].instruction;
-  delete frame.skip;
   const label = motion.kind === 'motion' ? skipOf(motion) : undefined;
-  if (label?.kind !== 'register') return;
+  const isMet = frame.isSkipped || label?.kind !== 'register' || isSkipMet(machine, frame, code);
+  delete frame.skip;
+  delete frame.isSkipped;
+  if (!isMet && label?.kind === 'register') jump(label, machine, frame, code);
+}
+
+/** @param {TpMachine} machine @param {TpFrame} frame @param {TpCode} code @returns {boolean} */
+function isSkipMet(machine, frame, { lines }) {
+  const motion = lines[frame.skip ?? 0].instruction;
+  if (motion.kind !== 'motion' || skipOf(motion)?.kind !== 'register') return false;
   const at = /** @type {{ program: string, line: number } | undefined} */ (machine.state.system['SKIP_CONDITION']);
   const node = at && machine.codes.get(at.program)?.lines[at.line]?.instruction;
   if (node?.kind !== 'skip-condition') throw new Alarm('SKIP CONDITION was not set', 'skip');
-  if (!truthOf(evaluate(node.condition, machine, frame))) jump(label, machine, frame, code);
+  return truthOf(evaluate(node.condition, machine, frame));
 }

@@ -3,6 +3,7 @@
  *
  * @import { Effect } from '../../karel/run/machine.js'
  * @import { AlarmText } from '../../karel/interpreter.js'
+ * @import { Arm } from '../../karel/run/arm.js'
  * @import { Shown, ShownRegister } from './codeShown.js'
  *
  * @typedef {object} Place
@@ -29,7 +30,7 @@
  * @property {(effect: Effect) => Place} placeOf
  * @property {(place: Place) => string | null} faultAt      why it cannot go on in the program that it has come to
  * @property {() => Omit<Place, 'depth' | 'task'>[]} frames  from the outermost to where it is; the line of the last may be another
- * @property {() => { ports: Record<string, Record<string, unknown>>, system: Record<string, unknown>, time: number }} memory  the controller's
+ * @property {() => { ports: Record<string, Record<string, unknown>>, system: Record<string, unknown>, time: number, arm: Arm }} memory  the controller's
  * @property {() => Shown[]} variables      what the routine and its program know; after the end, what the program knew
  * @property {() => ShownRegister[]} registers  that have a value
  * @property {(text: string) => { value: string } | { fault: string }} watch  what a text comes to; nothing changes by it

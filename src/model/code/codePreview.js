@@ -51,7 +51,7 @@ export function* previewOf(doc, id) {
       codeArm(() => now),
       systemAtFirst(doc),
       {
-        ...{ steps: MOST_STEPS, traceSteps: false, onScan: comingInputs(doc.programs) },
+        ...{ steps: MOST_STEPS, traceSteps: false, endsWithFirst: true, onScan: comingInputs(doc.programs) },
       },
     );
   const chosen = /** @type {ProgramDoc} */ (doc.programs.find((one) => one.id === id));

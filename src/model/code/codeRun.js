@@ -5,13 +5,14 @@
  * @import { ProgramDoc } from '../document.js'
  * @import { Diagnostic } from '../../karel/parse/cursor.js'
  * @import { CodeRun, Debugged } from './codeDebugger.js'
- * @import { ControllerOutcome, Level } from '../../karel/controller.js'
- * @import { Host } from '../../karel/run/machine.js'
+ * @import { ControllerOutcome } from '../../karel/controller.js'
+ * @import { ControllerHost, Level } from '../../karel/controllerTurns.js'
  * @import { TpListing } from '../../karel/tp/tree.js'
  * @import { Program } from '../../karel/tree.js'
  * @import { CodeArm } from './codeArm.js'
  */
 import { createController, goOn, restoreController, saveController } from '../../karel/controller.js';
+import { levelAt, levelsOf, memoryOf } from '../../karel/controllerTurns.js';
 import { debugged } from './codeDebugger.js';
 import { readPrograms } from './codePrograms.js';
 import { registerTexts, variablesOf, watched } from './codeShown.js';
@@ -27,7 +28,7 @@ const TASKS = 100;
  * @param {string} id                       the one to run
  * @param {CodeArm} arm
  * @param {Record<string, unknown>} [system]  what the controller's variables hold at first
- * @param {Pick<Host, 'steps' | 'traceSteps' | 'onScan'>} [how]
+ * @param {Pick<ControllerHost, 'steps' | 'traceSteps' | 'onScan' | 'endsWithFirst'>} [how]
  * @returns {{ run: CodeRun } | { diagnostics: readonly Diagnostic[] }}  the other way round where it cannot be run
  */
 export function createCodeRun(programs, id, arm, system = {}, how = {}) {
@@ -56,19 +57,19 @@ export function createCodeRun(programs, id, arm, system = {}, how = {}) {
     {
       ...{ sources, traceSteps: true, steps: MOST_STEPS, joints: arm.joints, kinematics: arm.kinematics, ...how },
       position: () => {
-        const level = /** @type {Level} */ (controller.levels.at(-1));
+        const level = levelAt(controller, controller.turn);
         return arm.position(level.machine.state.system, level.language === 'tp');
       },
     },
   );
   if (controller.refusal) return { diagnostics: controller.refusal.diagnostics ?? [] };
-  Object.assign(controller.levels[0].machine.state.system, system);
+  Object.assign(memoryOf(controller).system, system);
   return { run: debugged(fanuc(controller, read)) };
 }
 
 /** @param {ReturnType<typeof createController>} controller @param {ReturnType<typeof readPrograms>} read @returns {Debugged<ReturnType<typeof saveController>>} */
 function fanuc(controller, read) {
-  const top = () => /** @type {Level} */ (controller.levels.at(-1));
+  const top = () => /** @type {Level} */ (levelsOf(controller).at(-1));
   const readOf = (/** @type {string} */ program) =>
     read.find(({ name }) => name.toUpperCase() === program.toUpperCase());
   const idOf = (/** @type {string} */ program) => readOf(program)?.id ?? '';
@@ -80,28 +81,33 @@ function fanuc(controller, read) {
     save: () => saveController(controller),
     restore: (saved) => restoreController(controller, saved),
     placeOf({ line = 0 }) {
-      const level = top();
-      const below = controller.levels.slice(0, -1).reduce((sum, one) => sum + framesOf(one).length, 0);
+      const levels = levelsOf(controller);
+      const level = levels[levels.length - 1];
+      const below = levels.slice(0, -1).reduce((sum, one, i) => sum + framesOf(one, levels[i + 1]).length, 0);
       const frames = framesOf(level);
       const { program, routine } = frames[frames.length - 1];
       const { current = 0 } = level.language === 'karel' ? level.machine.state : {};
-      const task = current === 0 ? 0 : TASKS * controller.levels.length + current;
+      const { thread } = controller.told;
+      const task = current === 0 && thread === 0 ? 0 : TASKS * (TASKS * thread + levels.length) + current;
       return { id: idOf(program), program, routine, line, depth: below + frames.length, task };
     },
     faultAt({ program }) {
       const [fault] = readOf(program)?.errors() ?? [];
       return fault ? faultIn(program, fault) : null;
     },
-    frames: () => controller.levels.flatMap(framesOf).map((frame) => ({ ...frame, id: idOf(frame.program) })),
-    memory: () => /** @type {ReturnType<Debugged<unknown>['memory']>} */ (top().machine.state),
+    frames: () =>
+      levelsOf(controller)
+        .flatMap((level, i, all) => framesOf(level, all[i + 1]))
+        .map((frame) => ({ ...frame, id: idOf(frame.program) })),
+    memory: () => /** @type {ReturnType<Debugged<unknown>['memory']>} */ (memoryOf(controller)),
     variables: () => variablesOf(top()),
-    registers: () => registerTexts(top().machine.state),
+    registers: () => registerTexts(memoryOf(controller)),
     watch: (text) => watched(top(), text),
     setPort(port, index, value) {
-      (top().machine.state.ports[port] ??= {})[index] = value;
+      (memoryOf(controller).ports[port] ??= {})[index] = value;
     },
     setRegister(bank, index, slot, value) {
-      const { registers, positionRegisters } = top().machine.state;
+      const { registers, positionRegisters } = memoryOf(controller);
       const now = /** @type {number[] | undefined} */ (positionRegisters[index]);
       const isReal = !Number.isInteger(value);
       if (bank === 'R') registers[index] = { value: isReal ? Math.fround(value) : value, isReal };
@@ -123,8 +129,8 @@ function refusalOf({ program, diagnostics = [] }) {
   return /** @type {const} */ ({ status: 'alarm', alarm: { code: 'faulty', reason, line: 0, routine: program } });
 }
 
-/** Routines and programs that wait for each other, the outermost first. @param {Level} level */
-function framesOf(level) {
+/** Routines and programs that wait for each other, the outermost first. @param {Level} level @param {Level} [called]  by it */
+function framesOf(level, called) {
   if (level.language === 'tp') {
     const { codes, state } = level.machine;
     return state.frames.map(({ program, at }, i) => {
@@ -134,7 +140,7 @@ function framesOf(level) {
     });
   }
   const { state, image, linker } = level.machine;
-  return state.tasks[state.current].frames.map(({ code, pc }) => {
+  return state.tasks[called?.caller?.task ?? state.current].frames.map(({ code, pc }) => {
     const { name, program, lines } = image.codes[code];
     return { program: linker.analyses[program].program.name, routine: name, line: lines[pc - 1] ?? 0 };
   });

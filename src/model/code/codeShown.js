@@ -1,7 +1,7 @@
 /**
  * What a running program knows, as text: variables, registers, and what a person watches.
  *
- * @import { Level } from '../../karel/controller.js'
+ * @import { Level } from '../../karel/controllerTurns.js'
  * @import { Memory, TpFrame } from '../../karel/tp/run/memory.js'
  * @import { Reference } from '../../karel/run/values.js'
  *

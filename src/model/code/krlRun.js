@@ -56,7 +56,7 @@ function krl(machine, id) {
     memory: () => ({
       ports: { IN: machine.state.inputs, OUT: machine.state.outputs },
       system: {},
-      time: machine.state.time,
+      ...{ time: machine.state.time, arm: machine.state.arm },
     }),
     variables: () =>
       Object.entries(machine.state.set).map(([variable, value]) => ({

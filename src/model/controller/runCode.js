@@ -3,7 +3,6 @@
  * the text before and while it runs. Where the arm is, whoever runs them says.
  *
  * @import { Diagnostic } from '../../karel/parse/cursor.js'
- * @import { Level } from '../../karel/controller.js'
  * @import { Effect, State } from '../../karel/run/machine.js'
  * @import { TpListing } from '../../karel/tp/tree.js'
  * @import { Program } from '../../karel/tree.js'
@@ -20,6 +19,7 @@
  */
 import { checkKarel } from '../../karel/checker.js';
 import { createController, goOn } from '../../karel/controller.js';
+import { levelAt, memoryOf } from '../../karel/controllerTurns.js';
 import { runKrl } from '../../karel/krl/interpreter.js';
 import { parseKrl } from '../../karel/krl/parser.js';
 import { parseKarel } from '../../karel/parser.js';
@@ -129,14 +129,16 @@ function* runFanucFiles(files, findings, arm) {
   }
   if (start === '') return;
   const main = /** @type {string} */ (fileOf.get(start.toUpperCase()));
-  const top = () => /** @type {Level} */ (controller.levels.at(-1));
-  const system = () => top().machine.state.system;
+  const system = () => memoryOf(controller).system;
   const controller = createController(
     start,
     { karel, listings },
     {
-      ...{ steps: STEPS, traceSteps: true, onScan: comingInputs(files) },
-      ...(arm && { joints: arm.joints, position: () => arm.position(system(), top().language === 'tp') }),
+      ...{ steps: STEPS, traceSteps: true, endsWithFirst: true, onScan: comingInputs(files) },
+      ...(arm && {
+        joints: arm.joints,
+        position: () => arm.position(system(), levelAt(controller, controller.turn).language === 'tp'),
+      }),
     },
   );
   if (arm && !controller.refusal) Object.assign(system(), arm.system);

@@ -172,12 +172,7 @@ export function createCodeRoom(page, host, openProgram) {
     // what stops in another program is shown there
     if (wasRunning && !isRunning && place && open && place.id !== open.id && place.id !== '') openProgram(place.id);
     wasRunning = isRunning;
-    const here =
-      place &&
-      control
-        .run()
-        ?.stack()
-        .findLast(({ id }) => id === open?.id);
+    const here = place && control.stack().findLast(({ id }) => id === open?.id);
     editor.showNext(here && (!isRunning || control.isHolding()) ? here.line : null);
     if (open) runView.draw(store.state.doc.programs, open);
     limits.textContent = open?.language === 'krl' ? CODE.limitsKrl : CODE.limits;

@@ -1,26 +1,24 @@
 /**
- * Runs the code that is open: in each of the page's frames some statements, and the arm where its motion is by then. What the
- * program wants done is done here, or said.
+ * Runs the code that is open: in each of the page's frames as much of the program's time as the frame took, and the arm where its
+ * motion is by then. What the program wants done is done here, or said.
  *
  * @import { Page } from '../page.js'
  * @import { CodeRun, Place, Stop } from '../../model/code/codeDebugger.js'
+ * @import { Begun, MotionMark } from '../../model/code/codeMotions.js'
  * @import { Problem } from '../../model/code/codeProblems.js'
- * @import { Planned } from '../../model/program/planned.js'
  *
- * @typedef {{ plan: Planned['plan'], time: number, start: readonly number[] }} Motion
  * @typedef {'idle' | 'running' | 'paused' | 'asks' | 'over'} Mode
  * @typedef {'run' | 'into' | 'over' | 'out'} Way   how far it goes
  */
 import { codeArm } from '../../model/code/codeArm.js';
 import { systemAtFirst } from '../../model/code/codeFrames.js';
-import { planOfMove } from '../../model/code/codeMoves.js';
+import { createCodeMotions } from '../../model/code/codeMotions.js';
 import { createCodeRun } from '../../model/code/codeRun.js';
 import { LONGEST_FRAME } from '../../model/program/player.js';
-import { postureAt } from '../../model/program/planPosture.js';
-import { fromMilliseconds } from '../../model/units.js';
+import { fromMilliseconds, toMilliseconds } from '../../model/units.js';
 import { CODE } from '../words/code.js';
 
-/** Statements a frame at most, and s of the page's time; so many statements are run before the clock is looked at. */
+/** Statements a frame at most, unless the arm moves; s of the page's time; so many statements are run before the clock is looked at. */
 const STATEMENTS = 400;
 const LONGEST_TURN = 0.008;
 const AT_ONCE = 25;
@@ -37,9 +35,9 @@ export function createRunControl({ store, clock, announce, messages }, { onChang
   /** @type {Mode} */
   let mode = 'idle';
   let status = CODE.status.ready;
-  /** @type {Motion | null} */
-  let motion = null;
-  /** s that the program has waited less than it said. */
+  /** Where the motion under way was asked for. @type {{ line: number, stack: ReturnType<CodeRun['stack']> } | null} */
+  let asked = null;
+  /** s that the program's time is ahead. */
   let owed = 0;
   /** @type {(place: Place) => boolean} */
   let isStop = () => false;
@@ -50,7 +48,11 @@ export function createRunControl({ store, clock, announce, messages }, { onChang
   let standing = null;
 
   const line = () => run?.place()?.line ?? 0;
-  const arm = codeArm(() => store.state.doc);
+  const motions = createCodeMotions(
+    () => store.state.doc,
+    () => run,
+  );
+  const arm = codeArm(motions.doc);
 
   /** @param {Mode} next @param {string} text */
   function become(next, text) {
@@ -82,24 +84,16 @@ export function createRunControl({ store, clock, announce, messages }, { onChang
     }
     switch (effect?.kind) {
       case 'wait':
-        owed += fromMilliseconds(Number(effect.milliseconds));
-        return owed <= 0;
-      case 'move': {
-        const { doc } = store.state;
-        const planned = planOfMove(doc, doc.posture, effect, run?.state().system ?? {});
-        const reason =
-          'message' in planned ? planned.message : planned.plan.refused && CODE.refused[planned.plan.refused.reason];
-        if (reason) {
-          become('paused', CODE.status.noMove(Number(effect.line), reason));
-          return false;
-        }
-        if ('plan' in planned) {
-          motion = { plan: planned.plan, time: 0, start: doc.posture };
-          for (const frame of planned.missing) if (!said.includes(CODE.noFrame(frame))) say(CODE.noFrame(frame));
-        }
-        standing = doc.posture;
-        return false;
-      }
+        return true;
+      case 'move':
+        put(motions.posture());
+        asked = { line: Number(effect.line), stack: run?.stack() ?? [] };
+        return began(motions.begin(effect), asked.line);
+      case 'motion-control':
+        if (/^(ATTACH|RELEASE)$/.test(String(effect.action))) say(CODE.effect(String(effect.action)));
+        if (effect.action !== 'RESUME') return true;
+        put(motions.posture());
+        return began(motions.resume(), Number(effect.line));
       case 'read':
         become('asks', CODE.status.asks(Number(effect.line)));
         return false;
@@ -110,7 +104,7 @@ export function createRunControl({ store, clock, announce, messages }, { onChang
         say(CODE.called(String(effect.program)));
         return true;
       case 'run-task':
-        say(CODE.runs(String(effect.program)));
+        say((effect.runsAlready ? CODE.runsAlready : CODE.runs)(String(effect.program)));
         return true;
       case 'skipped':
         say(CODE.skipped(Number(effect.line), String(effect.text)));
@@ -127,6 +121,26 @@ export function createRunControl({ store, clock, announce, messages }, { onChang
     }
   }
 
+  /** @param {Begun} begun @param {number} at  its line @returns {boolean} */
+  function began(begun, at) {
+    if ('missing' in begun) {
+      for (const frame of begun.missing) if (!said.includes(CODE.noFrame(frame))) say(CODE.noFrame(frame));
+      return true;
+    }
+    const { reason, isRefusal } = begun;
+    become('paused', CODE.status.noMove(at, isRefusal ? CODE.refused[/** @type {'limit'} */ (reason)] : reason));
+    return false;
+  }
+
+  /** The arm stands where its motion has it; while it moves, when the page's time has it there. */
+  function show() {
+    const motion = run?.state().arm.motion;
+    const lag = motion && mode === 'running' ? toMilliseconds(Math.max(0, owed)) * motion.rate : 0;
+    const posture = motions.posture(lag);
+    if (posture !== store.state.doc.posture) put(posture);
+    motions.settle();
+  }
+
   function over() {
     const outcome = run?.outcome();
     const { ended, aborted, budget, alarm } = CODE.status;
@@ -136,27 +150,37 @@ export function createRunControl({ store, clock, announce, messages }, { onChang
 
   /** One frame. @param {number} seconds */
   function frame(seconds) {
-    if (motion) {
-      if (store.state.doc.posture !== standing || store.state.gesture) {
-        motion = null;
-        return become('paused', CODE.status.moved);
-      }
-      motion.time = Math.min(motion.time + seconds, motion.plan.duration);
-      put(postureAt(store.state.doc.robot, motion.plan, motion));
-      if (motion.time < motion.plan.duration) return become('running', CODE.status.moving(line()));
-      motion = null;
+    if (motions.isMoving() && (store.state.doc.posture !== standing || store.state.gesture)) {
+      motions.giveUp();
+      return become('paused', CODE.status.moved);
     }
-    owed = Math.max(-seconds, owed - seconds); // what is waited for within a frame is waited for
-    if (owed > 0) return become('running', CODE.status.waiting(line()));
+    owed = Math.max(-seconds, owed - seconds); // what takes less than a frame is over within it
+    if (owed <= 0) turn();
+    show();
+    if (mode === 'running') become('running', doing());
+  }
+
+  /** As much as this frame has room for. */
+  function turn() {
     const begun = clock.now();
-    for (let left = STATEMENTS; left > 0 && mode === 'running' && run; left -= AT_ONCE) {
-      const stop = run.advance(isStop, AT_ONCE, () => store.state.doc.posture);
-      if (stop.kind !== 'busy' && !heed(stop)) break;
-      if (clock.now() - begun > LONGEST_TURN) break;
+    let left = STATEMENTS;
+    while (mode === 'running' && run && owed <= 0 && (left > 0 || motions.isMoving())) {
+      const [isMoving, before] = [motions.isMoving(), run.state().time];
+      const stop = run.advance(isStop, AT_ONCE, motions.mark);
+      if (isMoving || stop.effect?.kind === 'wait') owed += fromMilliseconds(run.state().time - before);
+      left -= AT_ONCE;
+      if ((stop.kind !== 'busy' && !heed(stop)) || clock.now() - begun > LONGEST_TURN) return;
     }
-    if (mode !== 'running') return;
-    const { moving, waiting, running } = CODE.status;
-    become('running', (motion ? moving : owed > 0 ? waiting : running)(line()));
+  }
+
+  /** What it is at, in words. */
+  function doing() {
+    const { moving, held, halted, waiting, running } = CODE.status;
+    const { motion, isHeld, stopped } = run?.state().arm ?? { motion: null, isHeld: false, stopped: [] };
+    if (motion) return (isHeld ? held : moving)(Number(motion.effect.line));
+    const last = stopped.at(-1);
+    if (last && owed > 0) return halted(Number(last.effect.line));
+    return (owed > 0 ? waiting : running)(line());
   }
 
   function goOn() {
@@ -188,8 +212,10 @@ export function createRunControl({ store, clock, announce, messages }, { onChang
     said: () => said,
     /** The statement that is next. */
     place: () => (mode === 'over' || mode === 'idle' ? null : (run?.place() ?? null)),
+    /** From the outermost to where it is; while the arm moves, to where that was asked for. */
+    stack: () => (mode === 'running' && asked && motions.isMoving() ? asked.stack : (run?.stack() ?? [])),
     /** Whether a statement takes its time: the arm moves by it, or it waits. */
-    isHolding: () => motion !== null || owed > 0,
+    isHolding: () => motions.isMoving() || owed > 0,
     canGoBack: () => Boolean(run?.canGoBack()) && mode !== 'running',
 
     /**
@@ -208,7 +234,8 @@ export function createRunControl({ store, clock, announce, messages }, { onChang
           return made.diagnostics.map(({ span, message }) => ({ line: span.line, message }));
         }
         run = made.run;
-        [said, owed, motion, standing] = [[], 0, null, null];
+        [said, owed, asked, standing] = [[], 0, null, null];
+        motions.clear();
       }
       const from = run?.place();
       const isHere = (/** @type {Place} */ place) => place.task === (from?.task ?? 0);
@@ -230,16 +257,20 @@ export function createRunControl({ store, clock, announce, messages }, { onChang
     /** It is over, and begins anew when it is run again. */
     stop() {
       if (mode === 'idle') return;
-      [run, motion] = [null, null];
+      run = null;
+      motions.clear();
       become('idle', CODE.status.stopped);
     },
 
     /** One statement back, with the arm. */
     back() {
       if (!run || !control.canGoBack()) return;
-      const posture = run.back();
-      [motion, owed] = [null, 0];
-      if (Array.isArray(posture)) put(posture);
+      const mark = /** @type {MotionMark | null} */ (run.back());
+      owed = 0;
+      if (mark) {
+        motions.restore(mark);
+        put(mark.posture);
+      }
       become('paused', CODE.status.paused(line()));
     },
 

@@ -1,7 +1,6 @@
 /**
  * What a run shows below the code: variables and what is watched, registers, what it wrote, and beside them its signals.
  *
- * @import { CodeRun } from '../../model/code/codeDebugger.js'
  * @import { ProgramDoc } from '../../model/document.js'
  * @import { RunControl } from './runControl.js'
  */
@@ -67,9 +66,8 @@ export function createRunView(host, control) {
 
   /** Drawn anew only when it is another: what is replaced cannot be pressed. */
   let drawnStack = '';
-  /** @param {CodeRun} run */
-  function drawStack(run) {
-    const frames = run.stack();
+  function drawStack() {
+    const frames = control.stack();
     const key = JSON.stringify(frames);
     if (key === drawnStack) return;
     drawnStack = key;
@@ -85,7 +83,7 @@ export function createRunView(host, control) {
       const run = control.run();
       host.hidden = run === null;
       if (!run) return;
-      drawStack(run);
+      drawStack();
       // TP has no variables of its own
       if (!chosenPart) open(program.language === 'fanuc-tp' ? 'registers' : 'variables');
       variables.draw(run);

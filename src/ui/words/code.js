@@ -43,6 +43,8 @@ export const CODE = {
     ready: 'Ready',
     running: (/** @type {number} */ line) => `Running line ${line}`,
     moving: (/** @type {number} */ line) => `The arm moves by line ${line}`,
+    held: (/** @type {number} */ line) => `The arm is held on its way by line ${line}, until UNHOLD`,
+    halted: (/** @type {number} */ line) => `The motion of line ${line} is stopped, until RESUME`,
     waiting: (/** @type {number} */ line) => `Line ${line} waits`,
     paused: (/** @type {number} */ line) => `Stopped before line ${line}`,
     asks: (/** @type {number} */ line) => `Line ${line} reads a line`,
@@ -99,7 +101,8 @@ export const CODE = {
   answer: 'A line for the program to read',
   send: 'Send',
   called: (/** @type {string} */ name) => `CALL ${name}: no program of this model; passed over.`,
-  runs: (/** @type {string} */ name) => `RUN ${name}: programs run one after another here; passed over.`,
+  runs: (/** @type {string} */ name) => `RUN ${name}: no program of this model; passed over.`,
+  runsAlready: (/** @type {string} */ name) => `RUN ${name}: it runs already; passed over.`,
   skipped: (/** @type {number} */ line, /** @type {string} */ text) =>
     `Line ${line}, "${text}": not known here; passed over.`,
   noFrame: (/** @type {string} */ frame) =>
@@ -108,7 +111,7 @@ export const CODE = {
   posted: (/** @type {string} */ message) => `POST_ERR: ${message}`,
   taskAlarm: (/** @type {string} */ task, /** @type {string} */ reason) => `Task ${task} ended: ${reason}`,
   limits:
-    'Simulated; no controller has judged this. Every motion stops at its end, those of KAREL by joints go at full rates. Frame 0 is on axis 1, at the height of axis 2.',
+    'Simulated; no controller has judged this. Every motion stops at its end, those of KAREL by joints go at full rates; one that is cancelled, stopped, held or skipped comes to rest on its way within 0.1 s, which is not how a controller brakes. Frame 0 is on axis 1, at the height of axis 2.',
   template: (/** @type {string} */ name) => `PROGRAM ${name}
 -- Move the tool 50 mm up from where it is, and back.
 VAR

@@ -5,9 +5,12 @@
  */
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
+/** @import { Host } from '../../../src/karel/run/machine.js' */
+/** @import { Fragment, Program } from '../../../src/karel/tree.js' */
 import { checkKarel } from '../../../src/karel/checker.js';
 import { createMachine, restoreState, runKarel, runMachine, saveState } from '../../../src/karel/interpreter.js';
 import { parseKarel } from '../../../src/karel/parser.js';
+import { takeTime } from '../../../src/karel/run/arm.js';
 import { printKarel } from '../../../src/karel/printer.js';
 import { withoutSpans } from './anyKarel.js';
 
@@ -25,11 +28,14 @@ const expected = (/** @type {string} */ text, /** @type {string} */ what) =>
     return at < 0 ? [] : [{ line: i + 1, text: line.slice(at + what.length + 5).trim() }];
   });
 
-/** @param {ReturnType<typeof runKarel>} run */
-function outcomeOf(run) {
+/** @param {ReturnType<typeof runKarel>} run @param {ReturnType<typeof machineOf>} [machine]  whose motions take their time */
+function outcomeOf(run, machine) {
   let written = '';
   let next = run.next();
-  for (; !next.done; next = run.next()) if (next.value.kind === 'write') written += next.value.text;
+  for (; !next.done; next = run.next()) {
+    if (next.value.kind === 'write') written += next.value.text;
+    if (next.value.kind === 'move' && machine) takeTime(machine.state, MOVE_TIME);
+  }
   return {
     written: written
       .split('\n')
@@ -37,6 +43,20 @@ function outcomeOf(run) {
       .filter(Boolean),
     outcome: next.value,
   };
+}
+
+const MOVE_TIME = 1000;
+
+/** Its moves go on along x, 100 mm each. @param {Program | Fragment} tree @param {Host} [more] */
+function machineOf(tree, more) {
+  const { machine } = createMachine(tree, {
+    ...{ ...HOST, ...more },
+    position() {
+      const { number, done } = machine.state.arm.last;
+      return [number === 0 ? 0 : 100 * (number - 1 + done / MOVE_TIME), 0, 0, 0, 0, 0];
+    },
+  });
+  return machine;
 }
 
 const HOST = { files: { 'data.txt': 'first\n2 3.5\n' }, input: ['12', 'abc'], steps: 200_000 };
@@ -61,7 +81,8 @@ for (const file of readdirSync(FOLDER).filter((name) => name.endsWith('.kl'))) {
         expect(errors).toEqual([]);
         expect(withoutSpans(parseKarel(printKarel(tree)).tree)).toEqual(withoutSpans(tree));
 
-        const { written, outcome } = outcomeOf(runKarel(tree, HOST));
+        const machine = machineOf(tree);
+        const { written, outcome } = outcomeOf(runMachine(machine), machine);
         const [stop] = expected(text, 'expect stop');
         expect(outcome.alarm && `${outcome.alarm.line} ${outcome.alarm.reason}`).toEqual(
           stop && expect.stringContaining(stop.text),
@@ -73,25 +94,38 @@ for (const file of readdirSync(FOLDER).filter((name) => name.endsWith('.kl'))) {
   });
 }
 
-test('stepping back restores exactly the state before, and going on again gives the same', () => {
+test('stepping back restores exactly the state before, while the arm moves too, and going on again gives the same', () => {
   const texts = readdirSync(FOLDER)
     .filter((name) => name.endsWith('.kl'))
     .flatMap(programsOf)
     .filter((text) => expected(text, 'expect error').length === 0);
   const every = process.env.DENAVIT_DEEP ? 1 : 8;
-  for (const text of texts.filter((_, i) => i % every === 0)) {
+  let moving = 0;
+  for (const text of texts.filter((one, i) => i % every === 0 || one.startsWith('PROGRAM move'))) {
     const { tree } = parseKarel(text);
-    const { machine } = createMachine(tree, { ...HOST, steps: 3000, traceSteps: true });
+    const machine = machineOf(tree, { steps: 3000, traceSteps: true });
     const states = [saveState(machine)];
+    const stride = text.startsWith('PROGRAM move') ? 9 : 1;
     const run = runMachine(machine);
-    for (let next = run.next(); !next.done && states.length < 40; next = run.next()) states.push(saveState(machine));
+    let effects = 0;
+    for (let next = run.next(); !next.done && states.length < 40; next = run.next()) {
+      if (next.value.kind === 'move') takeTime(machine.state, MOVE_TIME);
+      if (++effects % stride === 0) states.push(saveState(machine));
+    }
     for (let i = states.length - 1; i > 0; i -= 3) {
       restoreState(machine, states[i - 1]);
       expect(machine.state).toEqual(states[i - 1]);
+      if (machine.state.arm.motion) moving++;
       const again = runMachine(machine);
-      if (!again.next().done) expect(machine.state).toEqual(states[i]);
+      for (let k = 0; k < stride; k++) {
+        const next = again.next();
+        if (next.done) break;
+        if (next.value.kind === 'move') takeTime(machine.state, MOVE_TIME);
+        if (k === stride - 1) expect(machine.state).toEqual(states[i]);
+      }
     }
   }
+  expect(moving).toBeGreaterThan(50);
 });
 
 test('an endless loop ends with the budget', () => {

@@ -7,6 +7,7 @@
  * @import { TpFrame, TpMachine } from './memory.js'
  * @import { TpCode } from './program.js'
  */
+import { beginMotion } from '../../run/arm.js';
 import { SCAN } from '../../run/machine.js';
 import { Alarm, copied, number, numbers, text } from '../../run/values.js';
 import { instructionText } from '../instructionText.js';
@@ -40,6 +41,7 @@ export function execute({ instruction: node }, machine, frame, code) {
       return null;
     case 'motion': {
       const effect = moveEffect(node, machine, frame);
+      frame.motion = beginMotion(state.arm, effect, state.time);
       frame.at++;
       return effect;
     }
@@ -71,12 +73,9 @@ export function execute({ instruction: node }, machine, frame, code) {
       frame.at = isOver ? here + 1 : begin + 1;
       return null;
     }
-    case 'wait': {
-      frame.at++;
-      const milliseconds = number(evaluate(node.seconds, machine, frame)) * 10 ** 3;
-      state.time += milliseconds;
-      return { kind: 'wait', milliseconds };
-    }
+    case 'wait':
+      frame.wake = state.time + number(evaluate(node.seconds, machine, frame)) * 10 ** 3;
+      return null;
     case 'wait-for':
       return waitFor(node, machine, frame, code);
     case 'skip-condition':
@@ -208,8 +207,8 @@ function waitFor({ condition, timeout }, machine, frame, code) {
     jump(timeout, machine, frame, code);
     return null;
   }
-  state.time += SCAN;
-  return { kind: 'wait', milliseconds: SCAN };
+  frame.wake = state.time + SCAN;
+  return null;
 }
 
 /** @param {TpAssign} node @param {TpMachine} machine @param {TpFrame} frame */

@@ -12,10 +12,14 @@
  * @property {Record<number, number>} limits    of the loops, by their first line
  * @property {Record<string, boolean>} before   what ports were at the last look, for edges
  * @property {boolean} [isTold]                 that the line is about to run
- * @property {number} [skip]                    the line of a move with Skip, which has just ended
+ * @property {number} [motion]                  the number of the motion that it waits for
+ * @property {number} [skip]                    the line of a move with Skip, while it is under way and when it has just ended
+ * @property {boolean} [isSkipped]              that its condition was met on the way
  * @property {number} [since]                   when it began to wait, ms
+ * @property {number} [wake]                    until when it waits, ms
+ * @property {number} [look]                    when it looks at its motion again, ms
  *
- * @typedef {Pick<State, 'time' | 'steps' | 'ports' | 'registers' | 'positionRegisters' | 'stringRegisters' | 'system' | 'pulses' | 'timers'>} Memory
+ * @typedef {Pick<State, 'time' | 'steps' | 'ports' | 'registers' | 'positionRegisters' | 'stringRegisters' | 'system' | 'pulses' | 'timers' | 'arm'>} Memory
  * @typedef {Memory & { frames: TpFrame[], nextScan: number }} TpState
  *
  * @typedef {object} TpMachine

@@ -25,6 +25,8 @@ export default defineConfig({
   expect: { timeout: 30_000, toHaveScreenshot: { maxDiffPixels: 20, animations: 'disabled' } },
   reporter: [['list']],
   use: {
+    // One window goes from journey to journey, emptied of what was kept and set in it: a third of a journey was the making of a new one.
+    reuseContext: true,
     baseURL: `http://127.0.0.1:${port}/`,
     viewport: { width: 1366, height: 768 },
     contextOptions: { reducedMotion: 'reduce' },

@@ -122,6 +122,17 @@ export function postureOn({ joints }, share) {
 /** Where no limit of jerk is stated. @param {PlanLaw} law @param {number} acceleration */
 const roundedJerk = (law, acceleration) => (law === 'doubleS' ? ROUNDING * acceleration ** 2 : Infinity);
 
+/**
+ * What the joints' jerks are at most where one of two moves leads into the other by the joints, and one of them is an S-curve.
+ * @param {MoveWay} before @param {MoveWay} after @param {JointLimits} limits
+ * @returns {Float64Array | null}  null: not limited
+ */
+export function jerksBetween(before, after, { rates, accelerations, jerks }) {
+  if (before.law !== 'doubleS' && after.law !== 'doubleS') return null;
+  const share = Math.min(before.share, after.share);
+  return accelerations.map((most, i) => share * (jerks ? jerks[i] : (ROUNDING * most ** 2) / rates[i]));
+}
+
 /** @param {number} quickest */
 const lengthOf = (quickest) => (quickest === 0 ? 0 : Math.max(quickest, SHORTEST));
 

@@ -38,7 +38,7 @@ import { tcpPose } from '../kinematics/forward.js';
 import { zoneOf } from './blend.js';
 import { followPath } from './followPath.js';
 import { timeRun } from './motionRun.js';
-import { firstPast, jointWay, postureOn, toolWay } from './moveWay.js';
+import { firstPast, jerksBetween, jointWay, postureOn, toolWay } from './moveWay.js';
 import { headingBy, measuredBy, pathMomentAt, straightPath } from './posturePath.js';
 import { zoneInSpace, zoneOfJoints } from './planZone.js';
 import { timeLaw } from './timeLaw.js';
@@ -213,7 +213,8 @@ function planStretch(way, entered, move, nextMove, chain, limits) {
   } else {
     const into = solve(next, { posture: corner, entered: 0 }, side / next.length);
     if ('reason' in into) return stopping('last'); // the next move will be refused with its reason
-    zone = zoneOfJoints(way, pathMomentAt(main.path, Infinity), pathMomentAt(into.path, Infinity), side);
+    const [begin, end] = [main.path, into.path].map((path) => pathMomentAt(path, Infinity));
+    zone = zoneOfJoints(way, begin, end, side, jerksBetween(way, next, limits));
   }
   return 'refused' in zone ? stopping(zone.refused) : { ...main, zone: { ...zone, next, side }, notBlended: null };
 }

@@ -56,15 +56,19 @@ export function momentAt({ duration, pieces, from, to }, t) {
 /** @param {number} position @returns {Moment} */
 const still = (position) => ({ position, rate: 0, acceleration: 0, jerk: 0 });
 
-/** The last that has begun. @param {readonly Piece[]} pieces @param {number} t */
-function pieceAt(pieces, t) {
-  let i = pieces.length - 1;
-  while (i > 0 && pieces[i].start > t) i--;
-  return pieces[i];
+/** The last that has begun, by halving. @param {readonly Piece[]} pieces  1 or more @param {number} t */
+export function pieceAt(pieces, t) {
+  let [low, high] = [0, pieces.length - 1];
+  while (low < high) {
+    const middle = (low + high + 1) >> 1;
+    if (pieces[middle].start <= t) low = middle;
+    else high = middle - 1;
+  }
+  return pieces[low];
 }
 
 /** A polynomial and its first three derivatives, by Horner's scheme. @param {readonly number[]} c @param {number} x @returns {Moment} */
-function derivatives(c, x) {
+export function derivatives(c, x) {
   let [position, rate, half, sixth] = [0, 0, 0, 0];
   for (let k = c.length - 1; k >= 0; k--) {
     sixth = sixth * x + half;
@@ -106,9 +110,27 @@ export const between = ({ pieces }, from, to) =>
     });
 
 /** The same polynomial by the time since `x`. @param {readonly number[]} coefficients @param {number} x */
-function shifted(coefficients, x) {
+export function shifted(coefficients, x) {
   const c = [...coefficients];
   // by Horner's scheme again and again, each time without the last remainder
   for (let done = 0; done < c.length - 1; done++) for (let k = c.length - 2; k >= done; k--) c[k] += x * c[k + 1];
   return c;
+}
+
+/** Halvings of a law's time: as near as numbers are. */
+const HALVINGS = 50;
+
+/**
+ * When a law is at a place: it never goes back.
+ * @param {TimeLaw} law
+ * @param {number} position
+ */
+export function timeAt(law, position) {
+  let [low, high] = [0, law.duration];
+  for (let k = 0; k < HALVINGS && low < high; k++) {
+    const middle = (low + high) / 2;
+    if (momentAt(law, middle).position < position) low = middle;
+    else high = middle;
+  }
+  return (low + high) / 2;
 }

@@ -11,13 +11,15 @@
  * @property {number} acceleration   what that of the way is at most; Infinity leaves it to the joints
  * @property {number} share     of the joints' accelerations
  * @property {number} ceiling   what the rate of the way is at most
+ * @property {number} jerk      what that of the way is at most; Infinity where it may jump
  *
  * @typedef {object} Slowed   a stretch where the way is gone along more slowly than its law says
  * @property {number} from    along the way
  * @property {number} to
  * @property {number | null} joint   the one that is at its limit there; null where it is the tool's own acceleration, on a bend
  *
- * @typedef {{ rates: ArrayLike<number>, accelerations: ArrayLike<number> }} Limits
+ * @typedef {{ rates: ArrayLike<number>, accelerations: ArrayLike<number>, jerks?: ArrayLike<number> }} Limits   jerks: kept where
+ *   the way's is limited
  */
 import { quickestProfile } from './phasePlane.js';
 import { pathMoment, pathMomentAt } from './posturePath.js';
@@ -32,29 +34,14 @@ const FINER = 5;
 
 /** Intervals of the grid: about so many over the whole time, and in each piece of the path. */
 export const IN_TIME = 160;
-const MOST_IN_TIME = 2000;
 const IN_PIECE = 8;
 
-/** A rate that is less than the law's by this share of it is slower. */
+/** A stretch is told if a rate in it is less than the law's by this share of it, and goes as far as rates are less by the other. */
 const SLOWER = 1e-3;
+const LESS = 1e-6;
 
-/**
- * As quick as limits allow.
- * @param {PosturePath} path
- * @param {Limits} limits
- * @param {readonly Section[]} sections   the last one to the path's end
- * @returns {{ law: TimeLaw, slowed: Slowed[] }}   slowed: beside what the sections alone would allow
- */
-export function quickestLaw(path, limits, sections) {
-  const { knots } = path;
-  const [begin, end] = [knots[0], knots[knots.length - 1]];
-  const count = Math.min(MOST_IN_TIME, IN_TIME * sections.length);
-  // evenly, and denser at both ends, where it starts and stops
-  const shares = Array.from({ length: count + 1 }, (_, k) => [k / count, (1 - Math.cos((Math.PI * k) / count)) / 2]);
-  const points = shares.flat().map((share) => begin + share * (end - begin));
-  const { law, slowed } = alongGrid(path, limits, sections, null, points);
-  return { law, slowed };
-}
+/** A joint that uses less of its limits than this is not why; a bend is, about which the law is rounded. */
+const NEAR = 0.95;
 
 /**
  * @param {PosturePath} path
@@ -62,8 +49,8 @@ export function quickestLaw(path, limits, sections) {
  * @param {readonly Section[]} sections
  * @param {((s: number) => number) | null} lawRate   what the rate of the way is at most besides, and with what `slowed` compares
  * @param {readonly number[]} points
- * @returns {{ law: TimeLaw, slowed: Slowed[], grid: Float64Array, x: Float64Array, over: number }}   x: squares of the rate at
- *   the points of the grid; over: by how much the whole had to be stretched in the end; 1 for not at all
+ * @returns {{ law: TimeLaw, plane: Plane, grid: Float64Array, x: Float64Array, over: number, slowedBy: (x: Float64Array) => Slowed[] }}
+ *   x: squares of the rate at the points of the grid; slowedBy: where such squares are slower; over: by how much the whole had to be stretched in the end; 1 for not at all
  */
 export function alongGrid(path, limits, sections, lawRate, points) {
   const { dof, knots } = path;
@@ -81,7 +68,8 @@ export function alongGrid(path, limits, sections, lawRate, points) {
       dof,
       first: new Float64Array(dof * count),
       second: new Float64Array(dof * count),
-      ...limits,
+      rates: limits.rates,
+      accelerations: limits.accelerations,
       shares: new Float64Array(count - 1),
       own: new Float64Array(count - 1),
       ceiling: new Float64Array(count),
@@ -111,8 +99,9 @@ export function alongGrid(path, limits, sections, lawRate, points) {
     const most = uses.reduce((found, { use }) => Math.max(found, use), 1);
     const over = most > 1 + OVER ? most : 1;
     const law = timeLaw(grid[0], grid[grid.length - 1], partsOf(grid, x));
-    const slowed = slowedOf(plane, lawRate ? plane.ceiling : withoutJoints(plane), x, uses);
-    return { law: over > 1 ? stretched(law, over) : law, slowed, grid, x, over };
+    const wanted = lawRate ? plane.ceiling.slice() : withoutJoints(plane);
+    const slowedBy = (/** @type {Float64Array} */ squares) => slowedOf(plane, wanted, squares, uses);
+    return { law: over > 1 ? stretched(law, over) : law, plane, grid, x, over, slowedBy };
   }
 }
 
@@ -160,21 +149,25 @@ export const partsOf = (grid, x) =>
 
 /** Stretches of the way where it is slower than the law. @param {Plane} plane @param {Float64Array} wanted  squares, as x @param {Float64Array} x @param {ReturnType<typeof usesBetween>} uses @returns {Slowed[]} */
 function slowedOf({ grid }, wanted, x, uses) {
-  /** @type {(Slowed & { use: number })[]} */
+  /** @type {(Slowed & { use: number, least: number })[]} */
   const found = [];
   let isOpen = false;
   for (let i = 0; i < uses.length; i++) {
-    const isSlower = [i, i + 1].some((k) => Math.sqrt(x[k]) < (1 - SLOWER) * Math.sqrt(wanted[k]));
+    const share = Math.min(...[i, i + 1].map((k) => (wanted[k] > 0 ? Math.sqrt(x[k] / wanted[k]) : 1)));
+    const isSlower = share < 1 - LESS;
     if (isSlower) {
       const { use, joint } = uses[i];
-      if (!isOpen) found.push({ from: grid[i], to: grid[i + 1], joint, use });
+      if (!isOpen) found.push({ from: grid[i], to: grid[i + 1], joint, use, least: 1 });
       const stretch = found[found.length - 1];
       stretch.to = grid[i + 1];
+      stretch.least = Math.min(stretch.least, share);
       if (use > stretch.use) [stretch.use, stretch.joint] = [use, joint];
     }
     isOpen = isSlower;
   }
-  return found.map(({ from, to, joint }) => ({ from, to, joint }));
+  return found
+    .filter(({ least }) => least < 1 - SLOWER)
+    .map(({ from, to, joint, use }) => ({ from, to, joint: use > NEAR ? joint : null }));
 }
 
 /** How quick it would be if no joint had limits. @param {Plane} plane */

@@ -165,6 +165,7 @@ test('on another screen, or zoomed, the picture has the pixels of that screen', 
   await expect.poll(sharpness).toBeCloseTo(1.5, 2);
   await screen(1364, 3);
   await expect.poll(sharpness).toBe(2); // beyond that it only costs
+  await browser.send('Emulation.clearDeviceMetricsOverride');
 });
 
 for (const [width, height] of [

@@ -38,18 +38,19 @@ export function planNotes({ plan, steps, assumptions }, units) {
     }
   });
   for (const law of new Set(plan.parts.map(({ instead }) => instead))) {
-    if (law === null) continue;
-    const moves = plan.parts.filter(({ instead }) => instead === law).map(({ move }) => plusOne(steps[move]));
-    const jerk = law === 'doubleS' ? PLAN_NOTES.jerk : '';
-    notes.push(PLAN_NOTES.instead(PLAN_NOTES.steps([...new Set(moves)]), PROGRAM.laws[law]) + jerk);
+    for (const timing of /** @type {const} */ (['trapezoid', 'doubleS'])) {
+      const moves = plan.parts.filter((part) => part.instead === law && part.timing === timing);
+      if (law === null || moves.length === 0) continue;
+      const numbers = [...new Set(moves.map(({ move }) => plusOne(steps[move])))];
+      notes.push(PLAN_NOTES.instead[timing](PLAN_NOTES.steps(numbers), PROGRAM.laws[law]));
+    }
   }
-  for (const { move, slowed, timing, notBlended } of plan.parts) {
+  for (const { move, slowed, notBlended } of plan.parts) {
     const step = plusOne(steps[move]);
     for (const { from, to, joint } of slowed) {
       const why =
         joint === null ? PLAN_NOTES.because.bend : PLAN_NOTES.because.joint(PLAN_NOTES.joints([plusOne(joint)]));
-      const jerk = joint !== null && timing === 'doubleS' ? PLAN_NOTES.jerk : '';
-      notes.push(PLAN_NOTES.slower(step, percent(from), percent(to)) + why + jerk);
+      notes.push(PLAN_NOTES.slower(step, percent(from), percent(to)) + why);
     }
     if (isToldOf(notBlended)) notes.push(PLAN_NOTES.stops(step) + PLAN_NOTES.why[notBlended]);
   }

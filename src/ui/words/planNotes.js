@@ -28,13 +28,15 @@ export const PLAN_NOTES = {
   slower: (/** @type {number} */ step, /** @type {string} */ from, /** @type {string} */ to) =>
     `Step ${step} is slower than asked from ${from} % to ${to} % of its way`,
   because: {
-    joint: /** @type {Of} */ ((joint) => `, because ${joint} is at its greatest rate or acceleration.`),
+    joint: /** @type {Of} */ ((joint) => `, because ${joint} is at its greatest rate, acceleration or jerk.`),
     bend: ', because of how its way bends.',
   },
-  /** Of a law that limits the jerk and is not kept there. */
-  jerk: ' Jerk is not limited there.',
-  instead: (/** @type {string} */ steps, /** @type {string} */ law) =>
-    `The ${law} of ${steps} is not kept: without a stop at both ends it goes by constant accelerations.`,
+  instead: {
+    trapezoid: (/** @type {string} */ steps, /** @type {string} */ law) =>
+      `The ${law} of ${steps} is not kept: without a stop at both ends it goes by constant accelerations.`,
+    doubleS: (/** @type {string} */ steps, /** @type {string} */ law) =>
+      `The ${law} of ${steps} is not kept: it goes on, without a stop, from or into a move by the S-curve, and with its limited jerk.`,
+  },
   stops: (/** @type {number} */ step) => `Step ${step} stops at its end all the same: `,
   why: {
     wait: 'a wait follows.',

@@ -3,6 +3,7 @@ import { describe, expect, test } from 'vitest';
 import { createChain } from '../../../src/kinematics/chain.js';
 import { planMotion } from '../../../src/motion/plan.js';
 import { planMoment, planMomentAt } from '../../../src/motion/planMoment.js';
+import { momentAt } from '../../../src/motion/timeLaw.js';
 import {
   angleBetween,
   arm,
@@ -161,13 +162,38 @@ describe('zones', () => {
       expect(Math.hypot(...planMomentAt(plan, end).rates)).toBeGreaterThan(0.05);
     }
   });
+  test('the S-curve goes on through them, with the jerk that it has from rest to rest', () => {
+    const plan = planMotion(chain, start, lines({ kind: 'distance', distance: 0.04 }), LIMITS);
+    expect(plan.parts.map(({ timing }) => timing)).toEqual(['doubleS', 'doubleS', 'doubleS']);
+    const [acceleration, step] = [2 / 0.3, 1e-3]; // of the way, whose unit is what it takes at full speed
+    let most = 0;
+    let gone = 0;
+    /** @type {number[]} */
+    const ways = [];
+    for (const { begin, end, law } of plan.parts) {
+      for (let t = ways.length * step; t < end; t += step)
+        ways.push(gone + momentAt(law, t - begin).position - law.from);
+      gone += law.to - law.from;
+    }
+    for (let k = 3; k < ways.length; k++) {
+      const third = ways[k] - 3 * ways[k - 1] + 3 * ways[k - 2] - ways[k - 3];
+      most = Math.max(most, Math.abs(third) / step ** 3);
+    }
+    expect(most / (2 * acceleration ** 2)).toBeGreaterThan(0.9);
+    expect(most / (2 * acceleration ** 2)).toBeLessThan(1.001);
+  });
   test('a law that is not kept because the move does not stop is told; one that is, is not', () => {
     const [first, second, third] = lines({ kind: 'distance', distance: 0.02 });
     const by = (/** @type {Move} */ move, /** @type {string} */ law) => /** @type {Move} */ ({ ...move, law });
     const told = (/** @type {Move[]} */ ...moves) =>
       planMotion(chain, start, moves, LIMITS).parts.map(({ timing, instead }) => [timing, instead]);
     expect(told(first, by(second, 'trapezoid'), by(third, 'quintic'))).toEqual([
-      ['trapezoid', 'doubleS'],
+      ['doubleS', null],
+      ['doubleS', 'trapezoid'],
+      ['doubleS', 'quintic'],
+    ]);
+    expect(told(by(first, 'trapezoid'), by(second, 'trapezoid'), by(third, 'quintic'))).toEqual([
+      ['trapezoid', null],
       ['trapezoid', null],
       ['trapezoid', 'quintic'],
     ]);

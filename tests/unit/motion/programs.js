@@ -123,11 +123,13 @@ export const anyProgram = (description, near) => {
       accelerations: list(dof, number(2, 40)),
       jerks: fc.option(list(dof, number(10, 400)), { nil: undefined }),
       steps: fc.array(anyStep(dof), { minLength: 2, maxLength: 6 }),
+      isRounded: fc.constantFrom(true, false, false),
     })
-    .map(({ wobble, rates, accelerations, jerks, steps }) => {
+    .map(({ wobble, rates, accelerations, jerks, steps, isRounded }) => {
       const start = beside(description, near, wobble);
       let posture = start;
-      const moves = steps.map((step) => {
+      const moves = steps.map((each) => {
+        const step = isRounded ? { ...each, law: /** @type {const} */ ('doubleS'), through: null } : each;
         if (step.kind === 'wait') return { kind: step.kind, seconds: step.share };
         const from = posture;
         posture = beside(description, posture, step.wobble);

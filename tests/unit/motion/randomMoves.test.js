@@ -24,7 +24,7 @@ import { PLAYERS, anyProgram } from './programs.js';
 
 /**
  * @import { MotionPart, MotionPlan } from '../../../src/motion/plan.js'
- * @import { JointLimits, LinearMove } from '../../../src/motion/moves.js'
+ * @import { JointLimits, LinearMove, Move } from '../../../src/motion/moves.js'
  * @import { Arm, Program } from './programs.js'
  */
 
@@ -142,7 +142,44 @@ function apartInTime(part, plan) {
   return times.length === 0 ? 0 : Math.max(...times) - Math.min(...times);
 }
 
-const tally = { programs: 0, moves: 0, planned: 0, lines: 0, refused: 0 };
+/**
+ * Where every move is an S-curve, joints' accelerations hang together, too, from the first to the last, and jerks that are stated are
+ * kept; nothing goes anywhere in no time.
+ * @param {MotionPlan} plan @param {readonly Move[]} moves @param {JointLimits} limits
+ */
+function expectRounded(plan, moves, { accelerations, jerks }) {
+  const dof = plan.start.length;
+  const [before, after] = [planMoment(dof), planMoment(dof)];
+  const hair = 1e-9;
+  for (const [index, { begin, end, law }] of plan.parts.entries()) {
+    const isStill = plan.parts[index].kind === 'wait' || law.to - law.from < 1e-9;
+    if (!isStill) expect(end - begin).toBeGreaterThan(0);
+  }
+  const isRounded = moves.every(
+    (move) => move.kind === 'wait' || !('law' in move) || (move.law ?? 'doubleS') === 'doubleS',
+  );
+  if (!isRounded) return;
+  tally.rounded++;
+  let [mostJump, mostJerk] = [0, 0];
+  for (const { begin, law } of plan.parts) {
+    for (const { start, duration } of law.pieces) {
+      const t = begin + start;
+      if (t < 2 * hair || duration < 1e-6) continue;
+      planMomentAt(plan, t - hair, before);
+      planMomentAt(plan, t + hair, after);
+      for (let i = 0; i < dof; i++) {
+        const grows = 2.1 * hair * Math.max(Math.abs(after.jerks[i]), Math.abs(before.jerks[i]));
+        const jump = Math.abs(after.accelerations[i] - before.accelerations[i]) - grows;
+        mostJump = Math.max(mostJump, jump / accelerations[i]);
+        if (jerks) mostJerk = Math.max(mostJerk, Math.abs(after.jerks[i]) / jerks[i]);
+      }
+    }
+  }
+  expect(mostJump).toBeLessThan(1e-6);
+  expect(mostJerk).toBeLessThan(1.001);
+}
+
+const tally = { programs: 0, rounded: 0, moves: 0, planned: 0, lines: 0, refused: 0 };
 
 /** @param {Arm} description @param {Program} program */
 function expectSound(description, { start, moves, limits }) {
@@ -171,6 +208,7 @@ function expectSound(description, { start, moves, limits }) {
   // across a jump of the acceleration from one limit to the other the mean rate is off by a quarter of its step, and no more
   expect(gap).toBeLessThan(0.51);
   expect(jump).toBeLessThan(1.001);
+  expectRounded(plan, moves, limits);
   for (const part of plan.parts) {
     for (const { from, to, joint } of part.slowed) {
       expect(from >= 0 && from < to && to <= 1).toBe(true);

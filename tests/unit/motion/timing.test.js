@@ -1,6 +1,6 @@
 /** Paths that joints can follow only so fast: the quickest way along them, and laws that have to slow down. */
 import { describe, expect, test } from 'vitest';
-import { quickestLaw } from '../../../src/motion/timePath.js';
+import { quickestLaw } from '../../../src/motion/quickestLaw.js';
 import { pathMomentAt } from '../../../src/motion/posturePath.js';
 import { momentAt } from '../../../src/motion/timeLaw.js';
 import { TOPPRA } from './references.js';
@@ -56,7 +56,7 @@ describe('the quickest way along a path', () => {
       const path = notAKnot(s, waypoints);
       const end = s[s.length - 1];
       const { law } = quickestLaw(path, { rates, accelerations }, [
-        { to: end, acceleration: Infinity, share: 1, ceiling: Infinity },
+        { to: end, acceleration: Infinity, share: 1, ceiling: Infinity, jerk: Infinity },
       ]);
       expect(Math.abs(law.duration / duration - 1)).toBeLessThan(0.005);
       expect(momentAt(law, 0).rate).toBe(0);

@@ -37,23 +37,23 @@ test('where a move is slower than asked, and where it stops instead of going on,
     { move: 2, slowed: [], notBlended: 'last', instead: null },
   ];
   expect(planNotes(planned({ parts }), MM)).toEqual([
-    'Step 1 is slower than asked from 20 % to 46 % of its way, because J5 is at its greatest rate or acceleration.',
+    'Step 1 is slower than asked from 20 % to 46 % of its way, because J5 is at its greatest rate, acceleration or jerk.',
     'Step 2 is slower than asked from 0 % to 100 % of its way, because of how its way bends.',
     'Step 2 stops at its end all the same: a wait follows.',
   ]);
 });
 
-test('a law that is not kept, and a jerk that is not limited, is told', () => {
+test('a law that is not kept is told, with what it goes by instead', () => {
   const parts = [
-    { move: 0, slowed: [], timing: 'trapezoid', instead: 'doubleS', notBlended: null },
-    { move: 1, slowed: [], timing: 'trapezoid', instead: 'doubleS', notBlended: null },
+    { move: 0, slowed: [], timing: 'trapezoid', instead: 'cubic', notBlended: null },
+    { move: 1, slowed: [], timing: 'trapezoid', instead: 'cubic', notBlended: null },
     { move: 2, slowed: [{ from: 0, to: 0.5, joint: 0 }], timing: 'doubleS', instead: null, notBlended: 'law' },
-    { move: 3, slowed: [], timing: 'trapezoid', instead: 'quintic', notBlended: null },
+    { move: 3, slowed: [], timing: 'doubleS', instead: 'trapezoid', notBlended: null },
   ];
   expect(planNotes(planned({ parts, steps: [0, 1, 2, 3] }), MM)).toEqual([
-    'The S-curve of steps 1, 2 is not kept: without a stop at both ends it goes by constant accelerations. Jerk is not limited there.',
-    'The quintic of step 4 is not kept: without a stop at both ends it goes by constant accelerations.',
-    'Step 3 is slower than asked from 0 % to 50 % of its way, because J1 is at its greatest rate or acceleration. Jerk is not limited there.',
+    'The cubic of steps 1, 2 is not kept: without a stop at both ends it goes by constant accelerations.',
+    'The trapezoid of step 4 is not kept: it goes on, without a stop, from or into a move by the S-curve, and with its limited jerk.',
+    'Step 3 is slower than asked from 0 % to 50 % of its way, because J1 is at its greatest rate, acceleration or jerk.',
     'Step 3 stops at its end all the same: the time law of it, or of the step that follows, goes on only into its own.',
   ]);
 });

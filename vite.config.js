@@ -39,8 +39,8 @@ export default defineConfig({
             { name: 'page', test: /[\\/]src[\\/](?!workers)/, tags: ['$initial'] },
             // What is imported when needed but always much of it together: in many small pieces it weighs a fifth more than in one.
             ...later({
-              kinematics: 'kinematics',
-              motion: 'motion',
+              kinematics: '(kinematics|motion)',
+
               parts:
                 'ui/(travel|css/(typedIn|controller)|robot/poseEditor|parts/(dialog|textEditor|menuPlugin|severalField|segments|svg|scientific|curveStyle|clipboard|startJob|lastQuestion))',
               tables:
@@ -48,6 +48,7 @@ export default defineConfig({
               program: '(ui|model)/(program|workcell)',
               workspace: '(ui/workspace|model/workspace|io/workspace)',
               files: 'io',
+              code: '(model/(code|controller)|karel|ui/words/(code|writeCode)|ui/code/(?!codeRoom|editor|languages)[A-Za-z]+)',
               marks: 'render/(drag/(?!obstacle)[A-Za-z]+|marks/(?!reach|path|obstacle|capsule|clearance)[A-Za-z]+)',
               arm: 'ui/(aim|pose|jog/(jog|pendant)[A-Za-z]*|robot/(?!pasteTable|robot|frame)[A-Za-z]*)',
             }),

@@ -79,8 +79,8 @@ function tableLosses({ format, table }, { robot: { joints, convention, units } }
 
 /** What stands beside the robot. @param {Room} room @param {Doc} doc @returns {Issue[]} */
 function contentLosses({ format, info }, doc) {
-  const { robot, posture, postures, frames, activeTool, targets, obstacles, motionPrograms, programs, extensions } =
-    doc;
+  const { robot, posture, postures, frames, activeTool, targets, obstacles, ...more } = doc;
+  const { motionPrograms, programs, codeOptions, extensions } = more;
   const noPlace = (/** @type {string} */ what, /** @type {string} */ path) =>
     fileIssue('not-kept', `${format} has no place for ${what}.`, { path });
   const home = homePosture({ ...robot, joints: robot.joints.map((joint) => ({ ...joint, home: undefined })) });
@@ -104,6 +104,7 @@ function contentLosses({ format, info }, doc) {
     issues.push(noPlace(named(names, 'motion program'), 'motionPrograms'));
   }
   if (programs.length > 0) issues.push(noPlace(named(programs, 'program'), 'programs'));
+  if (codeOptions) issues.push(noPlace('how code is to be written', 'codeOptions'));
   if (extensions.length > 0) {
     issues.push(noPlace(`${counted(extensions.length, 'element')} of other programs`, 'extensions'));
   }

@@ -79,8 +79,10 @@ function readDocument(root) {
 /** @param {PlainRecord} file  as the table describes it @returns {Doc} */
 function documentFrom(file) {
   // What the table reads is a document but for the posture; validateDocument has the last word on it.
-  const { robot, postures, frames, activeTool, activeUser, targets, obstacles, motionPrograms, programs, extensions } =
-    /** @type {Omit<Doc, 'posture'>} */ (/** @type {unknown} */ (file));
+  const { robot, postures, activeTool, activeUser, codeOptions, ...lists } = /** @type {Omit<Doc, 'posture'>} */ (
+    /** @type {unknown} */ (file)
+  );
+  const { frames, targets, obstacles, motionPrograms, programs, extensions } = lists;
   const { name, info, units, convention, base, tool, joints } = robot;
   return {
     robot: { name, info, units, convention, base, tool, joints },
@@ -93,6 +95,7 @@ function documentFrom(file) {
     obstacles,
     motionPrograms,
     programs,
+    ...(codeOptions && { codeOptions }),
     extensions,
   };
 }

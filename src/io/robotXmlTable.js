@@ -269,6 +269,7 @@ export const ROBOT_MODEL = element('robotModel', {
     }),
     element('motionPrograms', { order: 'sequence', children: [MOTION_PROGRAM] }),
     element('programs', { order: 'sequence', children: [PROGRAM] }),
+    textElement('codeOptions', 'codeOptions', types.string(rules.MAX_DESCRIPTION_LENGTH)),
     element('extensions', { order: 'sequence', foreign: 'extensions' }),
   ],
 });

@@ -130,10 +130,11 @@ export function applyCommand(doc, command) {
       return applyMotionCommand(doc, command);
     case 'set-controller':
       return applyControllerCommand(doc, command);
-    case 'add-code':
+    case 'set-code':
     case 'edit-code':
     case 'rename-code':
     case 'remove-code':
+    case 'set-code-options':
       return applyCodeCommand(doc, command);
     case 'add-obstacle':
     case 'rename-obstacle':

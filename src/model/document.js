@@ -118,6 +118,8 @@
  * @typedef {StepDoc['kind']} StepKind
  * @typedef {{ readonly id: string, readonly name: string, readonly steps: readonly StepDoc[] }} MotionProgramDoc
  *
+ * @typedef {'pair' | 'tp' | 'karel-move' | 'krl'} CodeFormat
+ *
  * @typedef {object} Doc
  * @property {RobotDoc} robot
  * @property {readonly number[]} posture              a joint value for each joint
@@ -128,7 +130,8 @@
  * @property {readonly TargetDoc[]} targets           named, in the order of their list
  * @property {readonly ObstacleDoc[]} obstacles       in the order of their list, ids unique
  * @property {readonly MotionProgramDoc[]} motionPrograms  in the order of their list
- * @property {readonly ProgramDoc[]} programs         kept; not yet used here
+ * @property {readonly ProgramDoc[]} programs         controller code
+ * @property {string} [codeOptions]                   how code is written of the model, as far as it is chosen (codeOptions.js)
  * @property {readonly string[]} extensions           foreign XML elements of the file it came from, as text
  *
  * @typedef {'theta' | 'd' | 'a' | 'alpha'} DhField

@@ -100,10 +100,11 @@ export function refusal(doc, command) {
       return motionRefusal(doc, command);
     case 'set-controller':
       return controllerRefusal(doc, command);
-    case 'add-code':
+    case 'set-code':
     case 'edit-code':
     case 'rename-code':
     case 'remove-code':
+    case 'set-code-options':
       return codeRefusal(doc, command);
     case 'add-obstacle':
     case 'rename-obstacle':

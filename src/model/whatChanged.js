@@ -15,7 +15,7 @@
  *   | { what: 'tool-chosen' | 'user-chosen', id: string | null }
  *   | { what: 'units', units: Units }
  *   | { what: 'convention', convention: Convention }
- *   | { what: 'base' | 'tool' | 'info' | 'order' | 'table' | 'posture' | 'postures' | 'other' }
+ *   | { what: 'base' | 'tool' | 'info' | 'order' | 'table' | 'posture' | 'postures' | 'codeOptions' | 'other' }
  *   | { what: 'step', change: ListChange, step: number }
  *   | { what: 'list', list: ListName, change: ListChange, id: string }} Change  `joint` and `step` count from 0
  */
@@ -39,7 +39,7 @@ export function whatChanged(before, after) {
     if (before[list] !== after[list]) return ofList(list, before[list], after[list]);
   }
   if (before.motionPrograms !== after.motionPrograms) return ofPrograms(before.motionPrograms, after.motionPrograms);
-  return { what: 'other' };
+  return { what: before.codeOptions === after.codeOptions ? 'other' : 'codeOptions' };
 }
 
 /** @param {Doc['motionPrograms']} before @param {Doc['motionPrograms']} after @returns {Change} */

@@ -27,6 +27,10 @@ test('a KAREL program is typed, run to a breakpoint, stepped back with the arm, 
   const editor = page.getByRole('textbox', { name: 'Text of main' });
   await editor.press('ControlOrMeta+a');
   await page.keyboard.insertText(PROGRAM);
+  // what is pressed stands, though leaving the editor draws it anew
+  await page.getByRole('button', { name: 'go_lin.ls' }).click({ delay: 120 });
+  await expect(page.getByRole('textbox', { name: 'Text of go_lin' })).toContainText('L PR[1]');
+  await page.getByRole('button', { name: 'main.kl' }).click();
   const problem = page.locator('.code-problem');
   await expect(problem).toContainText('1 warning. Line 7: MOVE is deprecated');
 

@@ -33,11 +33,11 @@ test('a program is written as TP, verified and saved; what is altered is noticed
   await name.press('Enter');
   await expect(page.getByRole('alert').filter({ hasText: '"begin" is a word of KAREL' })).toBeVisible();
   await name.fill('pick');
-  await name.press('Enter');
-  await expect(page.locator('.files')).toContainText('pick.ls');
-
   const download = page.waitForEvent('download');
-  await page.getByRole('button', { name: 'Verify and save' }).click();
+  // as slow as a hand, while the new name is being written
+  await page.getByRole('button', { name: 'Verify and save' }).click({ delay: 120 });
+  expect((await download).suggestedFilename()).toBe('pick.ls');
+  expect(await page.evaluate(() => window.denavit.xml())).toContain('format=tp source=program:m programName=pick<');
   const saved = await readFile(await (await download).path(), 'utf8');
   expect(saved).toMatch(/!Check 0\.\d{4}mm 0\.\d{4}deg ;\r\n +\d+: {2}!model [0-9a-f]{8} by /);
   const found = page.getByRole('region', { name: 'Verification' });

@@ -5,21 +5,25 @@
  * @import { Issue } from '../issues.js'
  * @import { Issues } from '../validateValues.js'
  *
- * @typedef {{ type: 'add-code', id: string, language: ProgramDoc['language'], text: string }
+ * @typedef {{ type: 'set-code', programs: readonly ProgramDoc[] }
  *   | { type: 'edit-code', id: string, text: string }
  *   | { type: 'rename-code', id: string, to: string }
- *   | { type: 'remove-code', id: string }} CodeCommand
+ *   | { type: 'remove-code', id: string }
+ *   | CodeOptionsCommand} CodeCommand
+ *
+ * @typedef {{ type: 'set-code-options', text: string }} CodeOptionsCommand  how code is written of the model
  */
-import { MAX_PROGRAMS, PROGRAM_LANGUAGES } from '../documentRules.js';
+import { MAX_DESCRIPTION_LENGTH, MAX_PROGRAMS, PROGRAM_LANGUAGES } from '../documentRules.js';
 import { documentIssue } from '../issues.js';
 import { issue, shown } from '../refusalParts.js';
 import { checkChoice, checkDifferentIds, checkId, checkText, shownValue } from '../validateValues.js';
 
 /**
  * What can be wrong with the code of a document.
- * @param {Pick<Doc, 'programs'>} doc @returns {Issues}
+ * @param {Pick<Doc, 'programs' | 'codeOptions'>} doc @returns {Issues}
  */
-export function* codeFaults({ programs }) {
+export function* codeFaults({ programs, codeOptions = '' }) {
+  yield* checkText('The code', 'options', 'codeOptions', codeOptions, MAX_DESCRIPTION_LENGTH);
   if (programs.length > MAX_PROGRAMS) {
     const message = `The model has ${programs.length} programs; expected at most ${MAX_PROGRAMS}.`;
     yield documentIssue('too-many-programs', 'programs', message);
@@ -35,8 +39,8 @@ export function* codeFaults({ programs }) {
 
 /** @param {Doc} doc @param {CodeCommand} command @returns {Issue | null} */
 export function codeRefusal(doc, command) {
-  const isThere = doc.programs.some(({ id }) => id === command.id);
-  if (command.type !== 'add-code' && !isThere)
+  if (command.type === 'set-code-options') return [...codeFaults({ ...doc, codeOptions: command.text })][0] ?? null;
+  if (command.type !== 'set-code' && !doc.programs.some(({ id }) => id === command.id))
     return issue('id', 'programs', `Expected the name of a program, got ${shown(command.id)}.`);
   if (command.type === 'remove-code') return null;
   for (const fault of codeFaults({ programs: changed(doc.programs, command) })) return fault;
@@ -49,17 +53,25 @@ export function codeRefusal(doc, command) {
  * @returns {Doc} the same object when nothing changed
  */
 export function applyCodeCommand(doc, command) {
+  if (command.type === 'set-code-options') {
+    const { codeOptions = '', ...others } = doc;
+    if (codeOptions === command.text) return doc;
+    return command.text === '' ? others : { ...others, codeOptions: command.text };
+  }
   const programs = changed(doc.programs, command);
   return programs === doc.programs ? doc : { ...doc, programs };
 }
 
-/** @param {Doc['programs']} programs @param {CodeCommand} command @returns {Doc['programs']} */
+/** @param {Doc['programs']} programs @param {Exclude<CodeCommand, CodeOptionsCommand>} command @returns {Doc['programs']} */
 function changed(programs, command) {
+  if (command.type === 'set-code') {
+    const isSame =
+      command.programs.length === programs.length && programs.every((one, i) => one === command.programs[i]);
+    return isSame ? programs : command.programs;
+  }
   const index = programs.findIndex(({ id }) => id === command.id);
   const old = programs[index];
   switch (command.type) {
-    case 'add-code':
-      return [...programs, { id: command.id, language: command.language, text: command.text }];
     case 'edit-code':
       return old.text === command.text ? programs : programs.with(index, { ...old, text: command.text });
     case 'rename-code':
@@ -74,7 +86,7 @@ function changed(programs, command) {
   }
 }
 
-/** The first of name, name_2, name_3, … that no program has. @param {Doc} doc @param {string} name */
+/** The first of name, name_2, name_3, … that no program has. @param {Pick<Doc, 'programs'>} doc @param {string} name */
 export function freeCodeId({ programs }, name) {
   const taken = new Set(programs.map(({ id }) => id.toUpperCase()));
   let id = name;

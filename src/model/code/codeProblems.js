@@ -63,7 +63,7 @@ function deprecated(tree) {
 }
 
 const DEPRECATED =
-  'MOVE is deprecated since R-30iA: a controller may refuse it, or move unexpectedly. It runs here; TP programs are to move the arm.';
+  'MOVE is deprecated since R-30iA: a controller may refuse it, or move unexpectedly. It runs here; TP programs are to move the arm, as a new KAREL program shows.';
 
 /** One in a file that is included stands at the beginning. @param {Diagnostic} diagnostic @param {string} text @returns {Problem} */
 function placed({ severity, message, span }, text) {

@@ -30,6 +30,9 @@ const SPEED_UNITS = /** @type {Readonly<Record<string, string>>} */ ({
   'deg/s': 'deg/sec',
 });
 
+/** For people: three digits, and no exponent. @param {number} value */
+const short = (value) => (value < 1e-4 ? '0' : String(Number(value.toPrecision(3))));
+
 /** A joint that is so far from where it should be (radians, metres) stands in another posture. */
 const ANOTHER = 1e-2;
 
@@ -89,8 +92,7 @@ function differences(done, wanted, deviation, rounding, language) {
   // The tool may be there with another posture.
   const isOther = done.motion === 'joint' && away > ANOTHER && end.millimetres < 1 && end.degrees < 1;
   if (isOther) list.push('another posture of the arm');
-  else if (isFar)
-    list.push(`${deviation.millimetres.toPrecision(3)} mm and ${deviation.degrees.toPrecision(3)} degrees away`);
+  else if (isFar) list.push(`${short(deviation.millimetres)} mm and ${short(deviation.degrees)} degrees away`);
   if (isOtherVia(done.via, move.via)) list.push('another point on the way');
   if (isComparable(done, move)) {
     if (!isSpeed(done, move.speed.value) && !isSpeed(done, allowed(move, language)))

@@ -2,14 +2,12 @@
  * A program of the document as files for a controller: in which form, with which options, and what is against it. Where code has
  * not been verified yet, its header says so.
  *
- * @import { Doc } from '../document.js'
+ * @import { CodeFormat, Doc } from '../document.js'
  * @import { Issue } from '../issues.js'
  * @import { CodeSource } from './codeSource.js'
  * @import { MadeProgram } from './neutralProgram.js'
  * @import { CodeFile, WriteNote, Written } from '../../karel/write/neutral.js'
  * @import { Writer } from './certificate.js'
- *
- * @typedef {'pair' | 'tp' | 'karel-move' | 'krl'} CodeFormat
  *
  * @typedef {object} CodeOptions
  * @property {string} [programName]     absent: from what it is written of

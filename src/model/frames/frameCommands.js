@@ -124,6 +124,8 @@ function renamed(doc, index, id) {
     move[field] === old.id ? { ...move, [field]: id } : move,
   );
   const next = { ...doc, frames, motionPrograms, ...(isActive && { [ACTIVE[old.kind]]: id }) };
+  const options = doc.codeOptions?.replace(RegExp(`\\buserFrame=${old.id}(?= |$)`), `userFrame=${id}`);
+  if (old.kind === 'user' && options) next.codeOptions = options;
   if (old.kind !== 'user' || targetsIn(doc, old.id).length === 0) return next;
   return {
     ...next,

@@ -51,7 +51,7 @@ export function questionNow(state) {
 }
 
 /** What a plan does not depend on. @type {readonly (keyof Doc)[]} */
-const NO_MATTER = ['posture', 'postures', 'obstacles', 'programs', 'extensions'];
+const NO_MATTER = ['posture', 'postures', 'obstacles', 'programs', 'codeOptions', 'extensions'];
 
 /** Whether both have the same answer. @param {Question | null} one @param {Question | null} other */
 export function isSameQuestion(one, other) {

@@ -5,13 +5,14 @@
  * @import { Page } from '../page.js'
  * @import { CodeRoom } from './codeRoom.js'
  * @import { Doc, ProgramDoc } from '../../model/document.js'
+ *
+ * @typedef {{ name: string, language: ProgramDoc['language'], text: (id: string) => string }} NewProgram
  */
 import { freeCodeId } from '../../model/code/codeCommands.js';
 import { fileName } from '../../model/controller/codeSets.js';
 import { attempt } from '../page.js';
 import { withChoices } from '../parts/choices.js';
 import { h } from '../parts/dom.js';
-import { emptyState } from '../parts/emptyState.js';
 import { icon } from '../parts/icons.js';
 import { CODE } from '../words/code.js';
 
@@ -48,26 +49,50 @@ function textOf(bytes) {
 export function createFileMenu(page, { choose, chosen, refuse, rename }) {
   const { store, announce } = page;
 
-  /** @param {string} name @param {ProgramDoc['language']} language @param {(id: string) => string} text */
-  function add(name, language, text) {
-    const id = freeCodeId(store.state.doc, name);
-    const reason = attempt(page, { type: 'add-code', id, language, text: text(id) });
+  /** In one step, the first of them to be shown. @param {readonly NewProgram[]} added */
+  function add(added) {
+    const { programs } = store.state.doc;
+    const all = [...programs];
+    for (const { name, language, text } of added) {
+      const id = freeCodeId({ programs: all }, name);
+      all.push({ id, language, text: text(id) });
+    }
+    const reason = attempt(page, { type: 'set-code', programs: all });
     if (reason) return refuse(reason);
-    choose(id);
-    announce(CODE.added(id));
+    const ids = all.slice(programs.length).map(({ id }) => id);
+    choose(ids[0]);
+    announce(CODE.added(ids.join(', ')));
+  }
+
+  /** @param {string} name @param {ProgramDoc['language']} language @param {(id: string) => string} text */
+  const one = (name, language, text) => () => add([{ name, language, text }]);
+
+  /** KAREL is not to move the arm itself; with it comes a TP program that does, unless one is there. */
+  function addKarel() {
+    const { programs } = store.state.doc;
+    const there = programs.find(({ id, language }) => /^go_lin/.test(id) && language === 'fanuc-tp')?.id;
+    const mover = there ?? freeCodeId(store.state.doc, 'go_lin');
+    add([
+      { name: 'main', language: 'karel', text: (id) => CODE.template(id, mover) },
+      ...(there ? [] : [{ name: mover, language: /** @type {const} */ ('fanuc-tp'), text: CODE.moverTemplate }]),
+    ]);
   }
 
   const input = h('input', { type: 'file', multiple: true, accept: '.kl,.ls,.src,.dat,.txt' }); // stands nowhere: it is only asked
   input.addEventListener('change', async () => {
     const files = [...(input.files ?? [])];
     input.value = '';
+    /** @type {NewProgram[]} */
+    const opened = [];
     for (const file of files) {
       if (file.size > LARGEST) return refuse(CODE.tooLarge(file.name));
       const text = textOf(await file.arrayBuffer()).replace(/\r\n?/g, '\n');
       if (/(?![\t\n])\p{Cc}/u.test(text)) return refuse(CODE.notText(file.name));
       const end = file.name.toLowerCase().split('.').at(-1) ?? '';
-      add(`${idFrom(file.name)}${end === 'dat' ? '_dat' : ''}`, LANGUAGE_OF[end] ?? 'karel', () => text);
+      const name = `${idFrom(file.name)}${end === 'dat' ? '_dat' : ''}`;
+      opened.push({ name, language: LANGUAGE_OF[end] ?? 'karel', text: () => text });
     }
+    if (opened.length > 0) add(opened);
   });
 
   const button = h(
@@ -76,9 +101,9 @@ export function createFileMenu(page, { choose, chosen, refuse, rename }) {
     icon('plus'),
   );
   const news = [
-    { title: CODE.newKarel, detail: CODE.newKarelDetail, run: () => add('main', 'karel', CODE.template) },
-    { title: CODE.newTp, detail: CODE.newTpDetail, run: () => add('tp_main', 'fanuc-tp', CODE.tpTemplate) },
-    { title: CODE.newKrl, detail: CODE.krlDetail, run: () => add('krl_main', 'krl', CODE.krlTemplate) },
+    { title: CODE.newKarel, detail: CODE.newKarelDetail, run: addKarel },
+    { title: CODE.newTp, detail: CODE.newTpDetail, run: one('tp_main', 'fanuc-tp', CODE.tpTemplate) },
+    { title: CODE.newKrl, detail: CODE.krlDetail, run: one('krl_main', 'krl', CODE.krlTemplate) },
   ];
   const menu = withChoices(button, () => {
     const id = chosen();
@@ -105,7 +130,7 @@ export function createFileMenu(page, { choose, chosen, refuse, rename }) {
   });
   return {
     element: menu,
-    addKarel: news[0].run,
+    addKarel,
     addTp: news[1].run,
     openFile: () => input.click(),
     add,
@@ -133,20 +158,32 @@ export const fileTabs = (files, chosen) =>
 export const ownFiles = ({ programs }) =>
   programs.map((program) => ({ key: `own ${program.id}`, name: fileName(program) }));
 
-/** @param {HTMLElement | null} menu  where a file was refused */
-export const codeEmpty = (menu) =>
-  emptyState(
-    CODE.empty,
-    CODE.emptyDetail,
-    h(
-      'div',
-      { class: 'row-flex empty-ways' },
+/** @param {number} postures  recorded @param {HTMLElement | null} menu  where a file was refused */
+export const codeEmpty = (postures, menu) =>
+  h(
+    'div',
+    { class: 'empty' },
+    h('h2', {}, CODE.empty),
+    way(CODE.ways.own, CODE.ways.own.detail, [
       h('button', { type: 'button', class: 'btn btn-primary', 'data-action': 'new' }, CODE.newKarel),
       h('button', { type: 'button', class: 'btn btn-outline', 'data-action': 'new-tp' }, CODE.newTp),
-      h('button', { type: 'button', class: 'btn btn-outline', 'data-action': 'program' }, CODE.toProgram),
       h('button', { type: 'button', class: 'btn btn-outline', 'data-action': 'open' }, CODE.openFile),
       menu,
-    ),
+    ]),
+    way(CODE.ways.written, `${CODE.ways.written.detail} ${CODE.recorded(postures)}`, [
+      h('button', { type: 'button', class: 'btn btn-outline', 'data-action': 'record' }, CODE.record),
+      h('button', { type: 'button', class: 'btn btn-outline', 'data-action': 'program' }, CODE.toProgram),
+    ]),
+  );
+
+/** @param {{ title: string }} words @param {string} detail @param {(HTMLElement | null)[]} buttons */
+const way = ({ title }, detail, buttons) =>
+  h(
+    'section',
+    { class: 'empty-way' },
+    h('h3', {}, title),
+    h('p', {}, detail),
+    h('div', { class: 'row-flex empty-ways' }, buttons),
   );
 
 /**

@@ -4,7 +4,7 @@
  *
  * @import { Page } from '../page.js'
  * @import { CodeRoom } from './codeRoom.js'
- * @import { CodeFormat } from '../../model/controller/writeCode.js'
+ * @import { CodeFormat } from '../../model/document.js'
  * @import { CodeFile } from '../../karel/write/neutral.js'
  */
 import $ from 'jquery/slim';
@@ -15,15 +15,17 @@ import '../css/writeCode.css';
 import { copyText } from '../parts/clipboard.js';
 import { fill, h, keepFocus } from '../parts/dom.js';
 import { fixed } from '../parts/format.js';
-import { openPanel } from '../page.js';
+import { attempt, openPanel } from '../page.js';
+import { createPressGate } from '../parts/pressed.js';
 import { TEXT } from '../strings.js';
 import { CODE } from '../words/code.js';
 import { WRITE } from '../words/writeCode.js';
 import { codeEmpty, createFileMenu, fileTabs, nameForm, ownFiles } from './codeFiles.js';
 import { createCodeWriter } from './codeWriter.js';
+import { optionsForm } from './optionsForm.js';
 import { ownLine } from './ownLine.js';
 import { createVerifyPart } from './verifyPart.js';
-import { codeLines, optionsForm, writtenHead, writtenNotes } from './writtenView.js';
+import { codeLines, writtenHead, writtenNotes } from './writtenView.js';
 
 /**
  * @param {Page} page
@@ -34,7 +36,9 @@ import { codeLines, optionsForm, writtenHead, writtenNotes } from './writtenView
  */
 export function createCodePanel(page, host, { version, today }) {
   const { store, addView, announce, messages } = page;
-  const redraw = () => keepFocus(host, '[data-action]', draw);
+  const whenLetGo = createPressGate(host, page.clock);
+  const drawAnew = () => keepFocus(host, '[data-action]', draw);
+  const redraw = () => whenLetGo(drawAnew);
   const writer = createCodeWriter(page, { version, today, onChange: redraw });
   /** @type {CodeRoom | null} */
   let room = null;
@@ -125,24 +129,34 @@ export function createCodePanel(page, host, { version, today }) {
     return listed.element;
   }
 
+  /** A list of choices that is open stays so while code is being written. */
+  let head = h('div');
   /** The options' form stays while somebody types in it. @type {{ key: string, element: HTMLElement } | null} */
   let form = null;
   /** @param {boolean} isEmpty */
   function drawListing(isEmpty) {
     const { doc } = store.state;
     if (ownChosen()) return fill(listing);
-    if (isEmpty) return fill(listing, codeEmpty(refusal ? menu.element : null));
+    if (isEmpty) return fill(listing, codeEmpty(doc.postures.length, refusal ? menu.element : null));
     const written = writer.written();
     const progress = writer.progress();
-    const key = JSON.stringify([writer.format(), writer.source(), writer.options(), written?.files[0]?.name]);
+    const key = JSON.stringify([
+      writer.format(),
+      writer.source(),
+      doc.codeOptions,
+      doc.frames,
+      written?.files[0]?.name,
+    ]);
     if (!areOptionsOpen) form = null;
-    else if (form?.key !== key) form = { key, element: optionsForm(doc, writer, announce) };
+    else if (form?.key !== key) form = { key, element: optionsForm(page, writer) };
     const areNotesOpen = listing.querySelector('.write-notes')?.hasAttribute('open') ?? false;
     const { scrollTop } = listing.querySelector('pre') ?? { scrollTop: 0 };
     const file = writtenFiles()[Number(chosen?.split(' ')[1])];
+    const nextHead = writtenHead(doc, writer, areOptionsOpen);
+    if (!head.isEqualNode(nextHead)) head = nextHead;
     fill(
       listing,
-      writtenHead(doc, writer, areOptionsOpen),
+      head,
       form?.element,
       written && writtenNotes(written, areNotesOpen),
       progress !== null &&
@@ -208,6 +222,11 @@ export function createCodePanel(page, host, { version, today }) {
 
   $(host)
     .on('click', '[data-action=program]', () => openPanel(page, 'program'))
+    .on('click', '[data-action=record]', () => {
+      const reason = attempt(page, { type: 'record-posture' });
+      if (reason) return refuse(reason);
+      announce(CODE.recorded(store.state.doc.postures.length));
+    })
     .on('click', '[data-action=new]', () => menu.addKarel())
     .on('click', '[data-action=new-tp]', () => menu.addTp())
     .on('click', '[data-action=open]', () => menu.openFile())
@@ -223,7 +242,7 @@ export function createCodePanel(page, host, { version, today }) {
       const { value, dataset } = currentTarget;
       if (dataset.choice === 'format') writer.setFormat(/** @type {CodeFormat} */ (value));
       else if (dataset.choice === 'source') writer.setSource(value);
-      else writer.setOptions({ userFrame: value === 'own' ? undefined : value.replace(/^user /, '') });
+      else writer.choose({ userFrame: value || undefined });
       redraw();
     })
     .on('submit', '.write-options', (event) => event.preventDefault())
@@ -235,14 +254,17 @@ export function createCodePanel(page, host, { version, today }) {
     .on('click', '[data-at-line]', ({ currentTarget }) =>
       goTo(currentTarget.dataset.atFile, Number(currentTarget.dataset.atLine)),
     )
-    .on('click', '[data-action=edit]', () => {
-      for (const { name, language, text } of writtenFiles().toReversed())
+    .on('click', '[data-action=edit]', () =>
+      writer.whenWritten(() => {
         menu.add(
-          name.replace(/\.(\w+)$/, (_, end) => (end === 'dat' ? '_dat' : '')),
-          language,
-          () => text.replaceAll('\r\n', '\n'),
+          writtenFiles().map(({ name, language, text }) => ({
+            name: name.replace(/\.(\w+)$/, (_, end) => (end === 'dat' ? '_dat' : '')),
+            language,
+            text: () => text.replaceAll('\r\n', '\n'),
+          })),
         );
-    })
+      }),
+    )
     .on('click', '[data-action=copy]', async () => {
       const file = fileShown();
       if (file) announce((await copyText(file.text)) ? CODE.copied(file.name) : TEXT.pose.copyFailed);
@@ -256,7 +278,7 @@ export function createCodePanel(page, host, { version, today }) {
   addView(
     together(({ doc, session, gesture }) => [
       ...[session.tab === 'code', gesture === null, doc.robot, doc.postures, doc.programs],
-      ...[doc.motionPrograms, doc.targets, doc.frames, session.playback?.program],
+      ...[doc.motionPrograms, doc.targets, doc.frames, doc.codeOptions, session.playback?.program],
     ]),
     ([isOpen]) => {
       if (!isOpen) return;

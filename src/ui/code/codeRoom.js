@@ -14,6 +14,7 @@ import '../css/codeEditor.css';
 import '../css/codeRun.css';
 import { attempt, newGesture } from '../page.js';
 import { fill, h } from '../parts/dom.js';
+import { createPressGate } from '../parts/pressed.js';
 import { CODE } from '../words/code.js';
 import { createCodeControls } from './codeControls.js';
 import { createEditor } from './editor.js';
@@ -27,6 +28,7 @@ const IDLE = 0.4;
 /** @param {Page} page @param {HTMLElement} host @param {(id: string) => void} openProgram  another one is to be shown */
 export function createCodeRoom(page, host, openProgram) {
   const { store, clock } = page;
+  const whenLetGo = createPressGate(host, clock);
   /** @type {ProgramDoc | null} as the document has it */
   let open = null;
   /** @type {readonly Problem[]} of the text */
@@ -50,7 +52,7 @@ export function createCodeRoom(page, host, openProgram) {
   const limits = h('p', { class: 'code-limits' }, CODE.limits);
 
   const control = createRunControl(page, {
-    onChange: () => drawRun(),
+    onChange: () => whenLetGo(drawRun),
     isBreakpoint: ({ id, line: at }) => (stops.get(id) ?? []).includes(at),
   });
   const controls = createCodeControls(control, press);

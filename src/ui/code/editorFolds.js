@@ -7,7 +7,7 @@ import { foldService } from '@codemirror/language';
 
 /** Blocks fold from the line that begins them to the line that ends them: of KAREL and KRL by how far they are set in, of TP by sections. */
 const BEGINS =
-  /^\s*(ROUTINE|DEF|IF\b.*\bTHEN\s*$|FOR|WHILE|REPEAT|LOOP|SWITCH|SELECT|CONDITION|USING|\w+\s*=\s*STRUCTURE)/i;
+  /^\s*(ROUTINE\b(?!.*\bFROM\b)|DEF|IF\b.*\bTHEN\s*$|FOR|WHILE|REPEAT|LOOP|SWITCH|SELECT|CONDITION|USING|\w+\s*=\s*STRUCTURE)/i;
 const SECTION = /^\s*\/(PROG|ATTR|APPL|MN|POS|END)\b/;
 export const folds = foldService.of(({ doc }, from) => {
   const line = doc.lineAt(from);

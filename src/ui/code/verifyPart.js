@@ -10,7 +10,7 @@
 import $ from 'jquery/slim';
 import { recertified } from '../../model/controller/certificate.js';
 import { certified } from '../../model/controller/writeCode.js';
-import { attempt, newGesture } from '../page.js';
+import { attempt } from '../page.js';
 import { fill, h } from '../parts/dom.js';
 import { download } from '../parts/download.js';
 import { fixed } from '../parts/format.js';
@@ -53,12 +53,12 @@ export function createVerifyPart(page, { writer, ownChosen, redraw, version, tod
     const files = recertified(found.files, robot, version, deviation);
     if (!files) return;
     found.files = files;
-    const gesture = newGesture();
-    for (const [i, id] of ids.entries()) {
-      const text = files[i].text.replaceAll('\r\n', '\n');
-      if (programs.some((program) => program.id === id)) attempt(page, { type: 'edit-code', id, text, gesture });
-    }
-    store.dispatch({ type: 'end-gesture' });
+    const changed = programs.map((program) => {
+      const i = ids.indexOf(program.id);
+      const text = files[i]?.text.replaceAll('\r\n', '\n') ?? program.text;
+      return text === program.text ? program : { ...program, text };
+    });
+    attempt(page, { type: 'set-code', programs: changed });
     verifier.follow(ownChosen());
   }
 
@@ -81,23 +81,42 @@ export function createVerifyPart(page, { writer, ownChosen, redraw, version, tod
       redraw();
     });
 
+  const bar = h('progress', { max: 1, 'aria-label': VERIFY.region });
+  const share = h('p', {});
+  const underWay = h(
+    'div',
+    { class: 'verify-head' },
+    ...[bar, share],
+    h('button', { type: 'button', class: 'btn btn-small btn-outline', 'data-action': 'cancel' }, VERIFY.cancel),
+  );
+
   function draw() {
     const [progress, found] = [verifier.progress(about()), foundNow()];
     const isWhole = element.querySelector('.verify-moves')?.hasAttribute('open') ?? false;
     element.hidden = progress === null && found === null;
-    if (progress !== null)
-      fill(
-        element,
-        h(
-          'div',
-          { class: 'verify-head' },
-          h('progress', { max: 1, value: progress, 'aria-label': VERIFY.region }),
-          h('p', {}, VERIFY.isRunning(fixed(100 * progress, 0))),
-          h('button', { type: 'button', class: 'btn btn-small btn-outline', 'data-action': 'cancel' }, VERIFY.cancel),
-        ),
-      );
-    else if (found) fill(element, drawVerification(found, store.state.doc.robot, isWhole));
+    if (progress !== null) {
+      bar.value = progress;
+      share.textContent = VERIFY.isRunning(fixed(100 * progress, 0));
+      if (!underWay.isConnected) fill(element, underWay);
+    } else if (found) fill(element, drawVerification(found, store.state.doc.robot, isWhole));
     else fill(element);
+  }
+
+  function verifyWritten() {
+    const written = writer.written();
+    if (!written?.made) return;
+    const { doc, made, request, files } = written;
+    const question = {
+      ...{ files, about: written },
+      *prepare() {
+        yield 0;
+        return { doc, made, start: request.start };
+      },
+    };
+    verifier.ask(question, (found) => {
+      if (found.verification.matches) found.files = certified(written, found.verification);
+      saveIfSound(found);
+    });
   }
 
   return {
@@ -111,20 +130,7 @@ export function createVerifyPart(page, { writer, ownChosen, redraw, version, tod
           saveIfSound(found);
         });
       }
-      const written = writer.written();
-      if (!written?.made) return;
-      const { doc, made, request, files } = written;
-      const question = {
-        ...{ files, about: written },
-        *prepare() {
-          yield 0;
-          return { doc, made, start: request.start };
-        },
-      };
-      verifier.ask(question, (found) => {
-        if (found.verification.matches) found.files = certified(written, found.verification);
-        saveIfSound(found);
-      });
+      writer.whenWritten(verifyWritten);
     },
     /** What was written, with its certificate, if it has been verified as it is. */
     filesSaved() {

@@ -2,9 +2,16 @@
 
 export const CODE = {
   empty: 'No code yet',
-  emptyDetail:
-    'Write a KAREL or TP program and run it on this arm, or open one from a file. A motion program, two recorded postures, or a target are written as code for FANUC and KUKA.',
-  toProgram: 'Make a program',
+  ways: {
+    own: { title: 'Write it', detail: 'KAREL or TP, checked while you type, run on this arm.' },
+    written: { title: 'Have it written', detail: 'For FANUC and KUKA, from postures of the arm or a motion program.' },
+  },
+  record: 'Record this posture',
+  recorded: (/** @type {number} */ count) =>
+    count === 0
+      ? 'Two postures are enough: record one, move the arm, record the next.'
+      : 'One posture is recorded. Move the arm, and record the next.',
+  toProgram: 'To motion programs',
   files: 'Files',
   copy: 'Copy this file',
   copied: (/** @type {string} */ name) => `${name} is copied.`,
@@ -112,18 +119,40 @@ export const CODE = {
   taskAlarm: (/** @type {string} */ task, /** @type {string} */ reason) => `Task ${task} ended: ${reason}`,
   limits:
     'Simulated; no controller has judged this. Every motion stops at its end, those of KAREL by joints go at full rates; one that is cancelled, stopped, held or skipped comes to rest on its way within 0.1 s, which is not how a controller brakes. Frame 0 is on axis 1, at the height of axis 2.',
-  template: (/** @type {string} */ name) => `PROGRAM ${name}
--- Move the tool 50 mm up from where it is, and back.
+  /** @param {string} name @param {string} mover  the TP program that it calls */
+  template: (name, mover) => `PROGRAM ${name}
+-- Move the tool 50 mm up from where it is, and back:
+-- KAREL fills PR[1], and calls a TP program to move there.
+%ENVIRONMENT REGOPE
+%NOLOCKGROUP
 VAR
   here, above : XYZWPR
+  status : INTEGER
+ROUTINE ${mover} FROM ${mover}
 BEGIN
+  $GROUP[1].$UFRAME = $MOR_GRP[1].$NILPOS
+  $GROUP[1].$UTOOL = $MOR_GRP[1].$NILPOS
   here = CURPOS(0, 0)
   above = here
   above.z = here.z + 50.0
-  WITH $MOTYPE = LINEAR, $SPEED = 100.0 MOVE TO above
+  SET_POS_REG(1, above, status)
+  ${mover}
   WRITE('up at ', above.z, CR)
-  WITH $MOTYPE = LINEAR, $SPEED = 100.0 MOVE TO here
+  SET_POS_REG(1, here, status)
+  ${mover}
 END ${name}
+`,
+  moverTemplate: (/** @type {string} */ name) => `/PROG  ${name.toUpperCase()}
+/ATTR
+COMMENT\t\t= "go to PR[1]";
+LINE_COUNT\t= 3;
+DEFAULT_GROUP\t= 1,*,*,*,*;
+/MN
+   1:  UFRAME_NUM=0 ;
+   2:  UTOOL_NUM=0 ;
+   3:L PR[1] 100mm/sec FINE    ;
+/POS
+/END
 `,
   limitsKrl:
     'Simulated; no controller has judged this. KRL is read and run here as far as this page writes it; every motion stops at its end. BASE 0 is taken to be the world.',

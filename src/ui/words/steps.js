@@ -48,5 +48,6 @@ export const STEPS = {
   inList: (/** @type {string} */ list, /** @type {string} */ id, /** @type {string} */ change) =>
     `${list} ${id} ${change}`,
   change: { added: 'added', removed: 'removed', renamed: 'renamed', moved: 'moved in its list', changed: 'changed' },
+  codeOptions: 'how code is written',
   other: 'last change',
 };

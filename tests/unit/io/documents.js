@@ -303,8 +303,10 @@ export const documents = fc.uniqueArray(id, { minLength: 2, maxLength: 6 }).chai
     obstacles,
     motionPrograms: fc.constant([]),
     programs,
+    codeOptions: fc.oneof(text(60), fc.constant('format=krl source=program:m userFrame=0')),
     extensions,
   })
+    .map(({ codeOptions, ...doc }) => ({ ...doc, ...(codeOptions !== '' && { codeOptions }) }))
     .chain(withActive)
     .chain((doc) => motionPrograms(doc).map((made) => ({ ...doc, motionPrograms: made }))),
 );

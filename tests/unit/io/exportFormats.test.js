@@ -58,6 +58,7 @@ const rich = deepFreeze({
   targets: [{ id: 'corner', xyz: [1, 0, 0] }],
   obstacles: [{ kind: 'sphere', id: 'ball', xyz: [1, 1, 0], radius: 0.2 }],
   programs: [{ id: 'main', language: 'karel', text: '' }],
+  codeOptions: 'format=krl',
   extensions: ['<x:note xmlns:x="urn:example:x"/>'],
 });
 
@@ -115,6 +116,7 @@ describe('a URDF', () => {
       'URDF has no place for 1 target (corner).',
       'URDF has no place for 1 obstacle (ball).',
       'URDF has no place for 1 program (main).',
+      'URDF has no place for how code is to be written.',
       'URDF has no place for 1 element of other programs.',
       'URDF has no place for what is said of the robot: manufacturer, author, description.',
       'URDF has no place for what was typed for numbers of 1 joint (joint_1).',

@@ -36,9 +36,16 @@ test('what is generated here is sound', () => {
 test.for([
   { name: 'the published schema', schema: PUBLISHED_SCHEMA, lacks: {} },
   {
-    name: 'the first draft of it, which knew no targets, no obstacles, no motion programs and no active frames',
+    name: 'the first draft of it, which knew no targets, no obstacles, no motion programs, no active frames and no options of code',
     schema: DRAFT_SCHEMA,
-    lacks: { targets: [], obstacles: [], motionPrograms: [], activeTool: undefined, activeUser: undefined },
+    lacks: {
+      targets: [],
+      obstacles: [],
+      motionPrograms: [],
+      activeTool: undefined,
+      activeUser: undefined,
+      codeOptions: undefined,
+    },
   },
 ])('libxml2 finds every saved document valid under $name', async ({ schema, lacks }) => {
   const generated = fc.sample(documents, { seed: SEED, numRuns: runs(25) }); // 500 in test:deep

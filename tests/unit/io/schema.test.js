@@ -96,6 +96,8 @@ const REFUSED = {
     after: `<programs>${times(21, (i) => `<program id="p${i}" language="krl"/>`)}</programs>`,
   },
   'an unknown language': { after: '<programs><program id="a" language="rapid"/></programs>' },
+  'an element among the options of code': { after: '<codeOptions><info/></codeOptions>' },
+  'options of code twice': { after: '<codeOptions/><codeOptions/>' },
   'a colour by name': { inJoint: '<link color="red"/>' },
   'a name of 201 characters': { before: `<info><name>${'😀'.repeat(201)}</name></info>` },
   'a description of 10001 characters': { before: `<info><description>${'a'.repeat(10001)}</description></info>` },
@@ -139,6 +141,7 @@ const ACCEPTED = {
     after:
       '<frames activeTool=" a" activeUser="b "><toolFrame id="a" xyz="0 0 1"/><userFrame id="b"/></frames><targets><target id="a" frame="b"/></targets>',
   },
+  'options of code that nobody understands': { after: '<codeOptions>__proto__=1 speed=; END</codeOptions>' },
   'a name of 200 emoji': { before: `<info><name>${'😀'.repeat(200)}</name></info>` },
   'an empty info, frames, postures, programs, extensions': {
     before: '<info/>',

@@ -13,9 +13,16 @@ const anyLanguage = fc.constantFrom('karel', 'fanuc-tp', 'krl', 'rapid');
 /** @type {fc.Arbitrary<CodeCommand & { gesture?: string }>} */
 export const anyCodeCommand = /** @type {fc.Arbitrary<CodeCommand>} */ (
   fc.oneof(
-    fc.record({ type: fc.constant('add-code'), id: anyName, language: anyLanguage, text: anyText }),
+    fc.record({
+      type: fc.constant('set-code'),
+      programs: fc.array(fc.record({ id: anyName, language: anyLanguage, text: anyText }), { maxLength: 3 }),
+    }),
     fc.record({ type: fc.constant('edit-code'), id: anyName, text: anyText, gesture: fc.constantFrom('a', 'b') }),
     fc.record({ type: fc.constant('rename-code'), id: anyName, to: anyName }),
     fc.record({ type: fc.constant('remove-code'), id: anyName }),
+    fc.record({
+      type: fc.constant('set-code-options'),
+      text: fc.oneof(anyText, fc.constantFrom('userFrame=table', 'x'.repeat(10_001), 7)),
+    }),
   )
 );

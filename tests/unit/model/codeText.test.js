@@ -9,6 +9,9 @@ import { namesFor } from '../../../src/model/code/codeNames.js';
 import { moveOfLine, pathOf, previewOf } from '../../../src/model/code/codePreview.js';
 import { problemsOf } from '../../../src/model/code/codeProblems.js';
 import { registerComments, signalsNamed, signalsOf } from '../../../src/model/code/codeSignals.js';
+import { codeSet } from '../../../src/model/controller/codeSets.js';
+import { verifyCode } from '../../../src/model/controller/verifyCode.js';
+import { LIBRARY } from '../../../src/model/library.js';
 import { newDocument } from '../../../src/model/newDocument.js';
 import { firstRobot } from '../../../src/model/shelf.js';
 import { CODE } from '../../../src/ui/words/code.js';
@@ -50,16 +53,16 @@ test('problems of each language stand in the order of the text, at their places'
   ]);
 });
 
-test('what a new program begins with has no errors, and runs', () => {
-  for (const [program, warnings] of /** @type {[ProgramDoc, number][]} */ ([
-    [karel(CODE.template('main')), 2],
-    [tp(CODE.tpTemplate('main')), 0],
-    [krl(CODE.krlTemplate('main')), 0],
-  ])) {
-    const problems = problemsOf([program], program);
-    expect(problems.filter(({ severity }) => severity === 'error')).toEqual([]);
-    expect(problems).toHaveLength(warnings);
-  }
+test('nothing is said against what a new program begins with, and its moves are found in order', () => {
+  const mover = { id: 'go_lin', language: /** @type {const} */ ('fanuc-tp'), text: CODE.moverTemplate('go_lin') };
+  const main = karel(CODE.template('main', 'go_lin'));
+  const others = [mover, tp(CODE.tpTemplate('main')), krl(CODE.krlTemplate('main'))];
+  for (const program of [main, ...others]) expect(problemsOf([program], program)).toEqual([]);
+  const doc = { ...newDocument(LIBRARY.fanuc_m10ia), programs: [main, mover] };
+  const files = codeSet(doc.programs, main).map(({ file }) => file);
+  const { findings, moves } = verifyCode(doc, null, files);
+  expect(moves.map(({ file, motion }) => [file, motion])).toEqual(Array(2).fill(['go_lin.ls', 'linear']));
+  expect(findings.filter(({ message }) => !message.startsWith('up at '))).toEqual([]);
 });
 
 test('each language completes its own words, and TP what is at hand', () => {

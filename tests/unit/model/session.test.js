@@ -30,7 +30,19 @@ function tryTo(store, action) {
 }
 
 /** Written anew, from what a document promises. @param {import('../../../src/model/document.js').Doc} doc */
-function expectSound({ robot, posture, postures, targets, frames, obstacles, activeTool, activeUser, motionPrograms }) {
+function expectSound({
+  robot,
+  posture,
+  postures,
+  targets,
+  frames,
+  obstacles,
+  activeTool,
+  activeUser,
+  motionPrograms,
+  codeOptions = 'x',
+}) {
+  expect(codeOptions.length > 0 && codeOptions.length <= 10_000).toBe(true);
   expectSoundPrograms(motionPrograms, { joints: robot.joints.length, targets, frames });
   expect(posture).toHaveLength(robot.joints.length);
   for (const values of [posture, ...postures.map(({ q }) => q)]) expect(values.every(Number.isFinite)).toBe(true);

@@ -13,8 +13,8 @@ import { LIBRARY, newDocument } from '../../../src/model/library.js';
 import { runs, SEED } from '../../helpers/property.js';
 import { readWritten } from '../karel/writtenReader.js';
 
-/** @import { ControllerDoc, Doc, MoveStep, RobotDoc } from '../../../src/model/document.js' */
-/** @import { CodeFormat, CodeOptions } from '../../../src/model/controller/writeCode.js' */
+/** @import { CodeFormat, ControllerDoc, Doc, MoveStep, RobotDoc } from '../../../src/model/document.js' */
+/** @import { CodeOptions } from '../../../src/model/controller/writeCode.js' */
 
 const FORMATS = /** @type {CodeFormat[]} */ (['pair', 'tp', 'karel-move', 'krl']);
 

@@ -54,6 +54,7 @@ const SESSIONS = [
   ['facts about the robot', [{ type: 'set-robot-info', field: 'author', text: 'A' }]],
   ['UR5 opened', [{ type: 'replace-document', doc: newDocument(LIBRARY.ur5) }]],
   ['posture p1 added', [{ type: 'record-posture' }]],
+  ['how code is written', [{ type: 'set-code-options', text: 'format=krl' }]],
   ['posture pick renamed', [{ type: 'record-posture' }, { type: 'rename-posture', index: 0, id: 'pick' }]],
   ['posture p1 removed', [{ type: 'record-posture' }, { type: 'remove-posture', index: 0 }]],
   ['target aim_1 added', [{ type: 'add-target', pose }]],

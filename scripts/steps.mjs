@@ -1,11 +1,11 @@
 /**
- * Runs commands one after another, or some of them side by side, each with its time. One that fails shows all it said; the
+ * Runs commands one after another, or in lanes side by side, each with its time. One that fails shows all it said; the
  * others still run, so that one look finds every fault.
  *
  * @typedef {object} Step
  * @property {string} name
  * @property {string[]} command     arguments of node
- * @property {boolean} [isBeside]   it runs at the same time as its neighbours that say so too
+ * @property {string} [lane]        it runs beside its neighbours in other lanes, and behind those in its own
  * @property {string} [needs]       a step without which this one says nothing
  * @property {string} [problem]     why it fails before it starts
  * @property {RegExp} [summary]     the line of its output worth repeating, or its first group
@@ -28,27 +28,43 @@ import { performance } from 'node:perf_hooks';
 export async function runSteps(steps, cwd, write) {
   /** @type {Result[]} */
   const results = [];
-  for (const group of groups(steps)) {
-    const isAlone = group.length === 1;
-    if (isAlone) write(`${group[0].name} … `);
-    const run = group.map(async (step) => {
-      const { output, ...result } = await runStep(step, results, cwd);
-      write(`${output}${isAlone ? '' : `${step.name} … `}${result.outcome}, ${result.seconds.toFixed(1)} s\n`);
-      return result;
+  for (const lanes of groups(steps)) {
+    const isAlone = lanes.length === 1;
+    const before = [...results];
+    const run = lanes.map(async (lane) => {
+      /** @type {Result[]} */
+      const found = [];
+      for (const step of lane) {
+        if (isAlone) write(`${step.name} … `);
+        const { output, ...result } = await runStep(step, [...before, ...found], cwd);
+        write(`${output}${isAlone ? '' : `${step.name} … `}${result.outcome}, ${result.seconds.toFixed(1)} s\n`);
+        found.push(result);
+      }
+      return found;
     });
-    results.push(...(await Promise.all(run)));
+    results.push(...(await Promise.all(run)).flat());
   }
   return results;
 }
 
-/** Neighbours that run side by side, together; the others each alone. @param {Step[]} steps */
+/** Neighbours that have lanes, by lane; the others each alone. @param {Step[]} steps */
 function groups(steps) {
-  /** @type {Step[][]} */
+  /** @type {Step[][][]} */
   const found = [];
+  /** @type {Map<string, Step[]> | null} */
+  let open = null;
   for (const step of steps) {
-    const last = found.at(-1);
-    if (step.isBeside && last?.[0].isBeside) last.push(step);
-    else found.push([step]);
+    if (step.lane === undefined) {
+      open = null;
+      found.push([[step]]);
+      continue;
+    }
+    if (!open) found.push([]);
+    open ??= new Map();
+    const lane = open.get(step.lane) ?? [];
+    if (lane.length === 0) found[found.length - 1].push(lane);
+    lane.push(step);
+    open.set(step.lane, lane);
   }
   return found;
 }

@@ -1,6 +1,5 @@
 /**
- * npm test: everything that must hold. What only reads the source runs side by side, and so do the unit tests and those in the
- * browser. `--deep` runs the full counts on a fresh seed; DENAVIT_SEED repeats one.
+ * npm test: everything that must hold. What the browser shows, which waits more than it computes, runs beside all else. `--deep` runs the full counts on a fresh seed; DENAVIT_SEED repeats one.
  *
  * @import { Step } from './steps.mjs'
  */
@@ -22,12 +21,14 @@ const NURSERY = '--max-semi-space-size=64';
  * @returns {Step[]}
  */
 const steps = (noBrowser) => [
-  { name: 'types', isBeside: true, command: [NURSERY, 'node_modules/typescript/bin/tsc', '-p', '.'] },
-  { name: 'lint', isBeside: true, command: [NURSERY, 'node_modules/eslint/bin/eslint.js', '.', '--max-warnings', '0'] },
-  { name: 'format', isBeside: true, command: [NURSERY, 'node_modules/prettier/bin/prettier.cjs', '--check', '.'] },
+  { name: 'build', command: ['node_modules/vite/bin/vite.js', 'build', '--logLevel', 'warn'] },
+  { name: 'size', command: ['scripts/size.mjs'], needs: 'build', summary: /^First load .*$/m },
+  { name: 'types', lane: 'code', command: [NURSERY, 'node_modules/typescript/bin/tsc', '-p', '.'] },
+  { name: 'lint', lane: 'code', command: [NURSERY, 'node_modules/eslint/bin/eslint.js', '.', '--max-warnings', '0'] },
+  { name: 'format', lane: 'code', command: [NURSERY, 'node_modules/prettier/bin/prettier.cjs', '--check', '.'] },
   {
     name: 'imports',
-    isBeside: true,
+    lane: 'code',
     command: [
       NURSERY,
       'node_modules/dependency-cruiser/bin/dependency-cruise.mjs',
@@ -37,17 +38,15 @@ const steps = (noBrowser) => [
     ],
     summary: /no dependency violations found \((.*)\)|\d+ dependency violations/,
   },
-  { name: 'build', command: ['node_modules/vite/bin/vite.js', 'build', '--logLevel', 'warn'] },
-  { name: 'size', command: ['scripts/size.mjs'], needs: 'build', summary: /^First load .*$/m },
   {
     name: 'unit',
-    isBeside: true,
+    lane: 'code',
     command: ['node_modules/vitest/vitest.mjs', 'run', '--allowOnly=false'],
     summary: /^\s*(Test Files.*\n\s*Tests.*)$/m,
   },
   {
     name: 'browser',
-    isBeside: true, // it waits for frames more than it computes
+    lane: 'browser',
     command: ['node_modules/@playwright/test/cli.js', 'test', '--forbid-only'],
     needs: 'build',
     problem: noBrowser,

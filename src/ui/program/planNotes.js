@@ -50,7 +50,8 @@ export function planNotes({ plan, steps, assumptions }, units) {
     for (const { from, to, joint } of slowed) {
       const why =
         joint === null ? PLAN_NOTES.because.bend : PLAN_NOTES.because.joint(PLAN_NOTES.joints([plusOne(joint)]));
-      notes.push(PLAN_NOTES.slower(step, percent(from), percent(to)) + why);
+      const [begin, end] = [percent(from), percent(to)];
+      if (begin !== end) notes.push(PLAN_NOTES.slower(step, begin, end) + why);
     }
     if (isToldOf(notBlended)) notes.push(PLAN_NOTES.stops(step) + PLAN_NOTES.why[notBlended]);
   }

@@ -34,7 +34,7 @@ test('where a move is slower than asked, and where it stops instead of going on,
   const parts = [
     { move: 0, slowed: [{ from: 0.2, to: 0.456, joint: 4 }], notBlended: null, instead: null },
     { move: 1, slowed: [{ from: 0, to: 1, joint: null }], notBlended: 'wait', instead: null },
-    { move: 2, slowed: [], notBlended: 'last', instead: null },
+    { move: 2, slowed: [{ from: 0, to: 0.004, joint: 1 }], notBlended: 'last', instead: null },
   ];
   expect(planNotes(planned({ parts }), MM)).toEqual([
     'Step 1 is slower than asked from 20 % to 46 % of its way, because J5 is at its greatest rate, acceleration or jerk.',

@@ -40,7 +40,7 @@ const IN_PIECE = 8;
 const SLOWER = 1e-3;
 const LESS = 1e-6;
 
-/** A joint that uses less of its limits than this is not why; a bend is, about which the law is rounded. */
+/** Of moves that lead into each other: a joint that uses less of its limits is not why; a bend is, about which the law is rounded. */
 const NEAR = 0.95;
 
 /**
@@ -100,7 +100,8 @@ export function alongGrid(path, limits, sections, lawRate, points) {
     const over = most > 1 + OVER ? most : 1;
     const law = timeLaw(grid[0], grid[grid.length - 1], partsOf(grid, x));
     const wanted = lawRate ? plane.ceiling.slice() : withoutJoints(plane);
-    const slowedBy = (/** @type {Float64Array} */ squares) => slowedOf(plane, wanted, squares, uses);
+    const slowedBy = (/** @type {Float64Array} */ squares) =>
+      slowedOf(plane, wanted, squares, uses, lawRate ? 0 : NEAR);
     return { law: over > 1 ? stretched(law, over) : law, plane, grid, x, over, slowedBy };
   }
 }
@@ -147,8 +148,8 @@ export const partsOf = (grid, x) =>
     return { duration: (2 * width) / (before + after), coefficients: [grid[i], before, u / 2] };
   });
 
-/** Stretches of the way where it is slower than the law. @param {Plane} plane @param {Float64Array} wanted  squares, as x @param {Float64Array} x @param {ReturnType<typeof usesBetween>} uses @returns {Slowed[]} */
-function slowedOf({ grid }, wanted, x, uses) {
+/** Stretches of the way where it is slower than the law. @param {Plane} plane @param {Float64Array} wanted  squares, as x @param {Float64Array} x @param {ReturnType<typeof usesBetween>} uses @param {number} near  a joint that uses less of its limits is not why @returns {Slowed[]} */
+function slowedOf({ grid }, wanted, x, uses, near) {
   /** @type {(Slowed & { use: number, least: number })[]} */
   const found = [];
   let isOpen = false;
@@ -167,7 +168,7 @@ function slowedOf({ grid }, wanted, x, uses) {
   }
   return found
     .filter(({ least }) => least < 1 - SLOWER)
-    .map(({ from, to, joint, use }) => ({ from, to, joint: use > NEAR ? joint : null }));
+    .map(({ from, to, joint, use }) => ({ from, to, joint: use > near ? joint : null }));
 }
 
 /** How quick it would be if no joint had limits. @param {Plane} plane */

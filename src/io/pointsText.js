@@ -1,12 +1,13 @@
 /**
  * Points as text, typed, pasted or from a CSV file, one a line: three numbers, and a name before or after them if there is one. A first line without
- * numbers is a head. Whatever the text is, reading does not throw; what is not understood is said by its line, and nothing is taken.
+ * numbers is a head; one that names x says where the numbers stand, whatever else a line has in it, as in the table that is saved. Whatever the text is, reading does not throw; what is not understood is said by its line, and nothing is taken.
  *
  * @typedef {{ readonly name: string, readonly at: readonly number[] }} NamedPoint  in the units of the text
  * @typedef {{ code: 'too-long' | 'too-many' | 'none' } | { code: 'not-three' | 'too-far', line: number }} PointsFault
  * @typedef {{ points: NamedPoint[], fault: null } | { points: null, fault: PointsFault }} PointsReading
  */
 import { shownText } from '../model/shownText.js';
+import { readCsv } from './csv.js';
 
 export const MAX_POINTS_TEXT = 100_000;
 export const MAX_POINTS = 500;
@@ -23,6 +24,10 @@ function numberIn(cell, hasDecimalComma) {
 
 /** @param {string} line @returns {{ cells: string[], hasDecimalComma: boolean }} */
 function cellsOf(line) {
+  if (/"/.test(line) && /[\t;,]/.test(line.replace(/"[^"]*"/g, ''))) {
+    const { separator, rows } = readCsv(line);
+    return { cells: rows[0]?.cells ?? [], hasDecimalComma: separator !== ',' };
+  }
   const sign = ['\t', ';'].find((each) => line.includes(each));
   const cells = sign
     ? line.split(sign)
@@ -38,7 +43,7 @@ function cellsOf(line) {
       .replace(/^"(.*)"$/, '$1')
       .trim(),
   );
-  return { cells: plain.filter((cell) => cell !== ''), hasDecimalComma: sign !== undefined };
+  return { cells: plain, hasDecimalComma: sign !== undefined };
 }
 
 /**
@@ -51,18 +56,29 @@ export function readPoints(text, farthest) {
   /** @type {NamedPoint[]} */
   const points = [];
   let isFirst = true;
+  /** Where the head says that x stands. */
+  let ofHead = -1;
   for (const [index, line] of text
     .replace(/^\uFEFF/, '')
     .split(/\r\n?|\n/)
     .entries()) {
     if (line.trim() === '' || line.trimStart().startsWith('#')) continue;
-    const { cells, hasDecimalComma } = cellsOf(line);
+    const { cells: all, hasDecimalComma } = cellsOf(line);
+    // what was added to a table by hand or by picking is a line like any other
+    const isInTable = ofHead >= 0 && all.length >= ofHead + 3;
+    const cells = isInTable
+      ? [...(ofHead > 0 ? all.slice(0, 1) : []), ...all.slice(ofHead, ofHead + 3)]
+      : all.filter((cell) => cell !== '');
     const numbers = cells.map((cell) => numberIn(cell, hasDecimalComma));
     const isHead = isFirst && numbers.every((value) => value === null);
     isFirst = false;
-    if (isHead) continue;
+    if (isHead) {
+      ofHead = all.findIndex((cell) => /^x(?![a-z])/i.test(cell));
+      continue;
+    }
     // a name stands before the numbers or behind them; a number of the line before them is a name as well
-    const from = numbers[0] === null || (cells.length === 4 && numbers[3] !== null) ? 1 : 0;
+    const isNamed = numbers[0] === null || (cells.length === 4 && numbers[3] !== null);
+    const from = Number(isInTable ? ofHead > 0 : isNamed);
     const at = numbers.slice(from, from + 3);
     const rest = [...cells.slice(0, from), ...cells.slice(from + 3)];
     if (at.length < 3 || at.some((value) => value === null) || rest.length > 1)

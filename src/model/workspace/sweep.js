@@ -5,10 +5,14 @@
  * @import { SectionPlane } from './mapped.js'
  */
 import { tcpPose } from '../../kinematics/forward.js';
+import { cross, dot, minus } from '../../kinematics/lines.js';
 
 /** A turning joint is looked at every so many radians; a slide in as many places as a full turn. */
 const STEP = 0.035;
 const PLACES = 180;
+
+/** A place nearer to an axis than this, m, is on it. */
+const ON_AXIS = 1e-9;
 
 /**
  * @param {Chain} chain
@@ -47,6 +51,17 @@ export function seenInSection({ kind, isAnyAngle, frame: { origin, u, v } }, pla
   const [out, up] = [u, v].map((way) => r[0] * way[0] + r[1] * way[1] + r[2] * way[2]);
   if (kind !== 'meridian' || !isAnyAngle) return [out, up];
   return [Math.sqrt(Math.max(0, r[0] * r[0] + r[1] * r[1] + r[2] * r[2] - up * up)), up];
+}
+
+/**
+ * How far a place is turned about the axis of a half-plane, from that, rad; on the axis not at all.
+ * @param {Pick<SectionPlane, 'frame'>} plane
+ * @param {ArrayLike<number>} place
+ */
+export function angleInSection({ frame: { origin, u, v } }, place) {
+  const r = minus(place, origin);
+  const [ahead, aside] = [dot(r, u), dot(r, cross(v, u))];
+  return Math.hypot(ahead, aside) < ON_AXIS ? 0 : Math.atan2(aside, ahead);
 }
 
 /** The place that a section shows there. @param {Pick<SectionPlane, 'frame'>} plane @param {number} across @param {number} up */

@@ -53,7 +53,10 @@ export function createPointsPanel(page, body, say) {
     return made;
   };
   const answer = createPointAnswer(page);
-  const table = createPointsTable(page, choose, () => take([]));
+  const table = createPointsTable(page, choose, () => {
+    text.value = ''; // what is picked next is added to nothing
+    take([]);
+  });
   const lineAnswer = createLineAnswer(page, askLine);
   const figure = createReachFigure(POINTS.drawing, pick, announce);
   const mapper = createMapper(clock, failed);

@@ -11,7 +11,7 @@ import { compilePosture, postureFromKernel } from '../../model/compile.js';
 import { isSliding } from '../../model/document.js';
 import { together } from '../../model/views.js';
 import { criticalOnes } from '../../model/workspace/criticalOnes.js';
-import { seenInSection, sweptPlaces, toolPlace } from '../../model/workspace/sweep.js';
+import { angleInSection, seenInSection, sweptPlaces, toolPlace } from '../../model/workspace/sweep.js';
 import { newGesture } from '../page.js';
 import { fill, h } from '../parts/dom.js';
 import { jointNumber, jointStep, unitOf, unitSign, withUnit } from '../parts/format.js';
@@ -217,7 +217,7 @@ export function createTeachPanel(page, body, say) {
   /** @type {ReturnType<typeof row>[]} */
   let drawnRows = [];
   addView(
-    together(({ doc, session }) => [doc.robot, session.edition]),
+    ({ doc }) => doc.robot,
     () => {
       held = null;
       traces = [];
@@ -254,12 +254,20 @@ export function createTeachPanel(page, body, say) {
     },
   );
 
-  /** Of a half-plane at any angle the arm stays in the one it is in: its first turning joint stands as it stands. @param {readonly CriticalOne[]} found */
+  /** Of a half-plane at any angle the first joint that turns brings the arm into the one that is drawn, or stays as it is. @param {readonly CriticalOne[]} found */
   function withOwnFirst(found) {
     const section = sectionNow(store);
     if (section?.kind !== 'meridian' || !section.isAnyAngle) return found;
     const first = robot().joints.findIndex((joint) => !isSliding(joint));
+    const { lower, upper } = chainNow().joints[first];
     const now = postureNow()[first];
-    return found.map((one) => ({ ...one, q: one.q.with(first, now) }));
+    return found.map((one) => {
+      const q = one.q.with(first, now);
+      const turned = now - angleInSection(section, toolPlace(chainNow(), q));
+      const value = [0, 2 * HALF_TURN, -2 * HALF_TURN]
+        .map((round) => turned + round)
+        .find((each) => each >= lower && each <= upper);
+      return { ...one, q: q.with(first, value ?? now) };
+    });
   }
 }

@@ -17,12 +17,17 @@ describe('points are read', () => {
     ['point,x,y,z\r\nP1,1,2,3\r\n\r\n# a note\r\n"P2",4,5,6\r\n', [['P1', 1, 2, 3], ['P2', 4, 5, 6]]], // prettier-ignore
     ['7 1 2 3', [['7', 1, 2, 3]]],
     ['−1 2 3', [['', -1, 2, 3]]],
+    ['name,x,y,z\n"A, left",1,2,3', [['A, left', 1, 2, 3]]],
+    ['point;x_mm;y_mm;z_mm;reached;margin\n7;1,5;2;3;yes;\n;4;5;6;no;0,2', [['7', 1.5, 2, 3], ['', 4, 5, 6]]], // prettier-ignore
+    ['x,y,z,w,p,r\n1,2,3,0,90,0', [['', 1, 2, 3]]],
+    ['name,x,y,z\nA,1,2,3\n4 5 6', [['A', 1, 2, 3], ['', 4, 5, 6]]], // prettier-ignore
     ['\uFEFFx y z\n1 2 3', [['', 1, 2, 3]]],
   ])('%j', (text, points) => expect(at(text)).toEqual(points));
 
   test.each([
     ['', { code: 'none' }],
     ['x y z', { code: 'none' }],
+    ['x,y,z\n1,,3', { code: 'not-three', line: 2 }],
     ['1 2', { code: 'not-three', line: 1 }],
     ['1 2 3\n1 2 three', { code: 'not-three', line: 2 }],
     ['1 2 3\na b c', { code: 'not-three', line: 2 }],

@@ -2,7 +2,7 @@
 import { describe, expect, test } from 'vitest';
 import { createChain } from '../../../../src/kinematics/chain.js';
 import { criticalOnes } from '../../../../src/model/workspace/criticalOnes.js';
-import { placeInSection, seenInSection, sweptPlaces } from '../../../../src/model/workspace/sweep.js';
+import { angleInSection, placeInSection, seenInSection, sweptPlaces } from '../../../../src/model/workspace/sweep.js';
 import { sectionAtOnce } from '../../../../src/workspace/section.js';
 import { oracleForward } from '../../kinematics/oracle.js';
 import { publishedArm } from '../../kinematics/publishedArms.js';
@@ -79,3 +79,25 @@ test('a place of a section is seen where it was picked', () => {
   const [u, v] = seenInSection(section, placeInSection(section, 0.31, -0.12));
   expect([u, v].map((value) => Math.round(value * 1e9) / 1e9)).toEqual([0.31, -0.12]);
 });
+
+test('a place is turned from the half-plane by as much as it was turned about its axis', () => {
+  const { section } = onesOf(anthropomorphic(0.4, 0.3));
+  const { origin, v } = section.frame;
+  const place = placeInSection(section, 0.31, -0.12);
+  for (const angle of [0, 0.4, -2, 3]) {
+    const r = place.map((value, i) => value - origin[i]);
+    const turned = turnAbout(v, angle, r).map((value, i) => value + origin[i]);
+    expect(angleInSection(section, turned)).toBeCloseTo(angle, 12);
+  }
+  expect(angleInSection(section, placeInSection(section, 0, 0.5))).toBe(0);
+});
+
+/** Rodrigues. @param {ArrayLike<number>} axis @param {number} angle @param {number[]} r */
+function turnAbout(axis, angle, r) {
+  const [c, s] = [Math.cos(angle), Math.sin(angle)];
+  const along = r.reduce((sum, value, i) => sum + value * axis[i], 0);
+  return r.map((value, i) => {
+    const [j, k] = [(i + 1) % 3, (i + 2) % 3];
+    return c * value + s * (axis[j] * r[k] - axis[k] * r[j]) + (1 - c) * along * axis[i];
+  });
+}

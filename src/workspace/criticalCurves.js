@@ -58,10 +58,11 @@ export function facesOf({ lower, upper, isClosed, free, placement }, freedom) {
 /**
  * @param {SectionMap} map
  * @param {number} tolerance  m
+ * @param {ReturnType<typeof facesOf>} [faces]
  * @returns {Generator<Traced>}
  */
-export function* edges(map, tolerance) {
-  for (const { free, x, fixed } of facesOf(map, 1)) {
+export function* edges(map, tolerance, faces = facesOf(map, 1)) {
+  for (const { free, x, fixed } of faces) {
     const [i] = free;
     /** @param {Vertex} a @param {Vertex} b */
     const between = (a, b) =>

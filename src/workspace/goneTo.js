@@ -16,6 +16,7 @@
  *
  * @typedef {(u: number, v: number, x: Float64Array) => Arrival | null} GoTo  null: there; x: of the map, of a posture that is near
  */
+import { along, cross, dot } from '../kinematics/lines.js';
 import { createRandom } from '../kinematics/random.js';
 
 /** Postures kept, and squares along one side of what they are kept in. */
@@ -37,8 +38,12 @@ const NUDGE = 0.03;
  * @param {ArrayLike<number>} place
  * @param {number} [from]
  */
-export function seenIn({ kind, origin, u, v, isAnyAngle }, place, from = 0) {
-  const [x, y, z] = [place[from] - origin[0], place[from + 1] - origin[1], place[from + 2] - origin[2]];
+export function seenIn({ kind, origin, across, u, v, isAnyAngle }, place, from = 0) {
+  let [x, y, z] = [place[from] - origin[0], place[from + 1] - origin[1], place[from + 2] - origin[2]];
+  if (kind === 'plane' && isAnyAngle) {
+    const away = dot(cross(u, v), [x, y, z]);
+    [x, y, z] = along([x, y, z], -away, across);
+  }
   const height = x * v[0] + y * v[1] + z * v[2];
   const out = x * u[0] + y * u[1] + z * u[2];
   const off = Math.sqrt(Math.max(0, x * x + y * y + z * z - height * height - out * out));

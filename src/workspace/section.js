@@ -53,6 +53,7 @@ import { boundaryOf, closeBeside } from './boundary.js';
 import { cellsOf, extentOf } from './cells.js';
 import { edges, folds, ownLimits } from './criticalCurves.js';
 import { addDrawn, criticalPostures, nothingDrawn } from './criticalPostures.js';
+import { hasFlatFace, slideFaces } from './crossing.js';
 import { createPlaceSolver } from './exactPlaces.js';
 import { createDescent } from './descent.js';
 import { createGoing, farthestOf } from './goneTo.js';
@@ -93,8 +94,9 @@ export function* mapSection(chain, options = {}) {
   if (!map) return null;
   const solve = map.free.length <= 2 ? createPlaceSolver(chain, withLimits, map.isAnyAngle ? map.left : -1) : null;
   const isReached = solve && reachedBy(solve, map);
-  // Postures that are found land on sections at any angle, and in the plane of a planar arm; elsewhere they pass by.
-  if (!isReached && !(map.isAnyAngle && map.kind !== 'plane')) return null;
+  // Postures that are found land on sections at any angle, in the plane of a planar arm, and where a slide always brings them; elsewhere
+  // they pass by.
+  if (!isReached && (!map.isAnyAngle || (map.kind === 'plane' && hasFlatFace(map)))) return null;
 
   /** @type {Traced[]} */
   const curves = [];
@@ -118,6 +120,7 @@ export function* mapSection(chain, options = {}) {
     for (; !step.done; step = work.next()) yield { stage: 'volume', share: step.value };
     return { ...section, ...step.value };
   }
+  if (map.kind === 'plane') curves.push(...edges(map, tolerance, slideFaces(map)));
   const sampler = createSampler(chain, { withLimits, seed });
   const drawn = nothingDrawn(tolerance);
   for (const curve of curves) addDrawn(drawn, curve);

@@ -22,6 +22,7 @@
  * @property {number} left           the one that is left out, or −1
  * @property {boolean} isAnyAngle    the joint left out may have any value
  * @property {Vector} origin   of u and v
+ * @property {Vector} across   along the slide that is left out, as far as the plane is away; zero of others
  * @property {Vector} u        unit vectors
  * @property {Vector} v
  * @property {Float64Array} lower    of the arguments
@@ -37,12 +38,16 @@
  */
 import { cross, dot, minus, along, squareTo, norm } from '../kinematics/lines.js';
 import { createRandom } from '../kinematics/random.js';
+import { alwaysCrosses } from './crossing.js';
 import { createPlacement, writePlacement } from './placement.js';
 
 /** Directions that differ by less are the same one. */
 const SAME = 1e-9;
 
 const LOOKS = 6;
+
+/** @type {Vector} */
+const STILL = [0, 0, 0];
 
 /**
  * Which moving joint turns every place about one axis that stands still: the first that turns, if what is before it slides
@@ -129,7 +134,7 @@ export function createSectionMap(chain, cut, withLimits) {
   writePlacement(placement, new Float64Array(m));
   const settings = cut.kind === 'meridian' ? meridian(placement, cut.angle) : plane(placement, cut);
   if (!settings) return null;
-  const { kind, left, origin, u, v, gaugeU, gaugeV, gaugeW, isAnyAngle } = settings;
+  const { kind, left, origin, u, v, gaugeU, gaugeV, gaugeW, isAnyAngle, across = STILL } = settings;
   const free = ranges.joints.map((_, k) => k).filter((k) => k !== left);
   const all = new Float64Array(m);
   const f = new Float64Array(2);
@@ -169,6 +174,7 @@ export function createSectionMap(chain, cut, withLimits) {
     left,
     isAnyAngle,
     origin,
+    across,
     u,
     v,
     lower: Float64Array.from(free, (k) => ranges.lower[k]),
@@ -187,7 +193,9 @@ export function createSectionMap(chain, cut, withLimits) {
   };
 }
 
-/** @param {Placement} placement at zero @param {number | null} angle */
+/** @typedef {{ kind: SectionMap['kind'], left: number, origin: Vector, across?: Vector, u: Vector, v: Vector, gaugeU: Vector, gaugeV: Vector, gaugeW: Vector, isAnyAngle: boolean }} Settings */
+
+/** @param {Placement} placement at zero @param {number | null} angle @returns {Settings | null} */
 function meridian(placement, angle) {
   const left = turningJoint(placement);
   if (left < 0) return null;
@@ -214,7 +222,7 @@ function meridian(placement, angle) {
   };
 }
 
-/** @param {Placement} placement at zero @param {{ origin: Vector, u: Vector, v: Vector }} cut */
+/** @param {Placement} placement at zero @param {{ origin: Vector, u: Vector, v: Vector }} cut @returns {Settings | null} */
 function plane(placement, { origin, u, v }) {
   const normal = cross(u, v);
   const reference = placement.place.slice();
@@ -230,16 +238,18 @@ function plane(placement, { origin, u, v }) {
   writePlacement(placement, new Float64Array(placement.ranges.joints.length));
   const along3 = /** @type {Vector} */ (Array.from(placement.axes.subarray(3 * left, 3 * left + 3)));
   const share = dot(normal, along3);
+  const gaugeW = along(STILL, -1 / share, normal);
   return {
     kind: /** @type {const} */ ('plane'),
     left,
     origin,
+    across: along(STILL, 1 / share, along3),
     u,
     v,
     gaugeU: along(u, -dot(u, along3) / share, normal),
     gaugeV: along(v, -dot(v, along3) / share, normal),
-    gaugeW: along([0, 0, 0], -1 / share, normal),
-    isAnyAngle: false,
+    gaugeW,
+    isAnyAngle: alwaysCrosses(placement, left, gaugeW, origin),
   };
 }
 

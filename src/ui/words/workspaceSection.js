@@ -32,7 +32,7 @@ export const SECTION = {
   precise: 'Trace the boundary to 0.05 mm',
   none: 'There is no answer for this plane yet: no joint of this arm brings its places into it, or the arm has more joints than can be solved in closed form. The arm’s own section may be known.',
   onlyFirst:
-    'Only this picture is known of it so far: cells in which one of the sampled postures lands. No joint of this arm brings its places into this plane, or more of them move the tool point than can be solved in closed form, so nothing is traced or measured here.',
+    'Only this picture is known of it so far: cells in which one of the sampled postures lands. No joint of this arm brings all its places into this plane (a slide may be too short for some postures), so nothing is traced or measured here.',
   noneOwn: 'There is no answer for this arm yet. A plane may be known: choose one.',
   empty: 'Nothing of the plane is reached.',
   axes: {

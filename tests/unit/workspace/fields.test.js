@@ -8,7 +8,7 @@ import { sectionAtOnce } from '../../../src/workspace/section.js';
 import { atOnce } from '../../../src/workspace/traced.js';
 import { runs, SEED } from '../../helpers/property.js';
 import { publishedArm } from '../kinematics/publishedArms.js';
-import { annulus, planar } from './arms.js';
+import { annulus, armOf, planar, sliding, turning } from './arms.js';
 
 /** @import { ChainDescription } from '../../../src/kinematics/chain.js' */
 /** @import { Section, SectionOptions } from '../../../src/workspace/section.js' */
@@ -142,6 +142,37 @@ describe('the section of an arm with joints to spare closes, and misses no place
   test('whatever the seed, the same area', () => {
     const [one, other] = [1, 2].map((seed) => sectionOf(publishedArm('ur3'), { cell: 8e-3, tolerance: 2e-4, seed }));
     expect(Math.abs(one.area - other.area)).toBeLessThan(one.areaError);
+  });
+});
+
+describe('a gantry whose tool stands beside its wrist', () => {
+  const quarter = [0, QUARTER, 0, QUARTER];
+  const tool = 0.15;
+  const gantry = (/** @type {number} */ travel, /** @type {number[][]} */ ...wrist) =>
+    armOf(
+      ...[sliding(quarter, [0, travel]), sliding(quarter, [0, 1]), sliding([0, QUARTER, 0, 0], [0, 0.6])],
+      ...wrist.map((row) => turning(row)),
+    );
+  const options = { tolerance: 2e-4, cell: 5e-3 };
+  const [oneTurn, twoTurns] = [[[tool, 0, 0, 0]], [[0, QUARTER, 0, 0], [tool, 0, 0, 0]]]; // prettier-ignore
+
+  test.each([
+    ...(isDeep ? [/** @type {const} */ (['one joint that turns, seen from its edge', oneTurn, 0.6 + 2 * tool])] : []),
+    [
+      'two: a rectangle rolled along by a disc',
+      twoTurns,
+      (1 + 2 * tool) * (0.6 + 2 * tool) - (4 - Math.PI) * tool ** 2,
+    ],
+  ])('%s', (_, wrist, area) => {
+    const section = sectionOf(gantry(0.8, ...wrist), options);
+    expect(section.kind).toBe('plane');
+    expect(Math.abs(section.area - area)).toBeLessThan(section.areaError);
+    expect(section.areaError).toBeLessThan(0.003);
+    expect(section.outlines).toHaveLength(1);
+  });
+
+  test('nothing is traced where the slide is too short for some postures', () => {
+    expect(sectionAtOnce(createChain(gantry(0.25, ...twoTurns)), options)).toBe(null);
   });
 });
 

@@ -156,14 +156,16 @@ describe('a gantry whose tool stands beside its wrist', () => {
   const options = { tolerance: 2e-4, cell: 5e-3 };
   const [oneTurn, twoTurns] = [[[tool, 0, 0, 0]], [[0, QUARTER, 0, 0], [tool, 0, 0, 0]]]; // prettier-ignore
 
-  test.each([
-    ...(isDeep ? [/** @type {const} */ (['one joint that turns, seen from its edge', oneTurn, 0.6 + 2 * tool])] : []),
-    [
-      'two: a rectangle rolled along by a disc',
-      twoTurns,
-      (1 + 2 * tool) * (0.6 + 2 * tool) - (4 - Math.PI) * tool ** 2,
-    ],
-  ])('%s', (_, wrist, area) => {
+  test.each(
+    /** @type {[string, number[][], number][]} */ ([
+      ...(isDeep ? [['one joint that turns, seen from its edge', oneTurn, 0.6 + 2 * tool]] : []),
+      [
+        'two: a rectangle rolled along by a disc',
+        twoTurns,
+        (1 + 2 * tool) * (0.6 + 2 * tool) - (4 - Math.PI) * tool ** 2,
+      ],
+    ]),
+  )('%s', (_, wrist, area) => {
     const section = sectionOf(gantry(0.8, ...wrist), options);
     expect(section.kind).toBe('plane');
     expect(Math.abs(section.area - area)).toBeLessThan(section.areaError);

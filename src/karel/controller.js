@@ -25,8 +25,8 @@ export function* runController(start, programs, host = {}) {
   return yield* goOn(createController(start, programs, host));
 }
 
-/** @param {string} start  the name of the first program @param {Programs} programs @param {ControllerHost} [host] @returns {Controller} */
-export function createController(start, programs, host = {}) {
+/** @param {string} start  the name of the first program @param {Programs} programs @param {ControllerHost} [host] @param {Controller['linked']} [linked]  KAREL programs that are linked already, by names in capitals @returns {Controller} */
+export function createController(start, programs, host = {}, linked = new Map()) {
   /** @type {Controller} */
   const controller = {
     ...{
@@ -36,7 +36,7 @@ export function createController(start, programs, host = {}) {
       globals: {},
       refusal: null,
     },
-    ...{ turn: FIRST, last: FIRST, told: FIRST, linked: new Map() },
+    ...{ turn: FIRST, last: FIRST, told: FIRST, linked },
   };
   const level = levelFor(start.toUpperCase(), [], controller);
   if (!level) throw new RangeError(`Expected a program that is here, got "${start}".`);

@@ -9,13 +9,14 @@
  * @import { Cursor, Diagnostic } from './parse/cursor.js'
  * @import { Preprocessed } from './preprocess/preprocessor.js'
  */
-import { readBody, withoutTrailing } from './parse/blocks.js';
+import { bodyInSlices, readBody, withoutTrailing } from './parse/blocks.js';
 import { createCursor, FAULT, shownToken } from './parse/cursor.js';
 import { readDeclarations, readEnd, readConstant, readEntries } from './parse/declarations.js';
-import { readStatement, readStatements } from './parse/statements.js';
+import { readStatement } from './parse/statements.js';
 import { readDeclared, readTypeDefinition } from './parse/types.js';
 import { preprocess } from './preprocess/preprocessor.js';
-import { scan } from './scan/scanner.js';
+import { scanInSlices } from './scan/scanner.js';
+import { finished } from './slices.js';
 
 /** @typedef {Readonly<Record<string, string>>} Files  by their names */
 
@@ -26,11 +27,23 @@ import { scan } from './scan/scanner.js';
  *   that the preprocessor was to bring is missing; the programs that the text makes of templates, which are checked and run
  *   like others. Diagnostics are those of all of them
  */
-export function parseKarel(text, { files = {} } = {}) {
-  const { cursor, diagnostics, hasGaps, generated } = openText(text, files);
-  const tree = isProgram(cursor) ? readProgram(cursor) : readFragment(cursor);
-  const programs = generated.map((one) => readProgram(cursorOf(one, diagnostics)));
-  return { tree, diagnostics: inOrder(diagnostics), hasGaps, programs };
+export const parseKarel = (text, options) => finished(parseInSlices(text, options));
+
+/**
+ * The same, some statements at a time.
+ * @param {string} text
+ * @param {{ files?: Files }} [options]
+ * @returns {Generator<null, { tree: Program | Fragment, diagnostics: Diagnostic[], hasGaps: boolean, programs: Program[] }>}
+ */
+export function* parseInSlices(text, { files = {} } = {}) {
+  /** @type {Diagnostic[]} */
+  const diagnostics = [];
+  const expanded = preprocess(text, files, diagnostics);
+  yield null;
+  const cursor = yield* cursorOf(expanded, diagnostics);
+  const tree = isProgram(cursor) ? yield* readProgram(cursor) : readFragment(cursor);
+  const programs = expanded.generated.map((one) => finished(readProgram(finished(cursorOf(one, diagnostics)))));
+  return { tree, diagnostics: inOrder(diagnostics), hasGaps: expanded.hasGaps, programs };
 }
 
 /**
@@ -40,7 +53,9 @@ export function parseKarel(text, { files = {} } = {}) {
  * @param {{ files?: Files }} [options]
  */
 export function parseIncluded(text, where, { files = {} } = {}) {
-  const { cursor, diagnostics } = openText(text, files);
+  /** @type {Diagnostic[]} */
+  const diagnostics = [];
+  const cursor = finished(cursorOf(preprocess(text, files, diagnostics), diagnostics));
   const bare = /** @type {const} */ (true);
   /** @type {(Declaration | Statement)[]} */
   const parts = [];
@@ -53,24 +68,15 @@ export function parseIncluded(text, where, { files = {} } = {}) {
   return { tree: { kind: /** @type {const} */ ('fragment'), parts }, diagnostics: inOrder(diagnostics) };
 }
 
-/** @param {string} text @param {Files} files */
-function openText(text, files) {
-  /** @type {Diagnostic[]} */
-  const diagnostics = [];
-  const expanded = preprocess(text, files, diagnostics);
-  const { hasGaps, generated } = expanded;
-  return { cursor: cursorOf(expanded, diagnostics), diagnostics, hasGaps, generated };
-}
-
-/** @param {Preprocessed} expanded @param {Diagnostic[]} diagnostics */
-function cursorOf({ text, macros, locate }, diagnostics) {
+/** @param {Preprocessed} expanded @param {Diagnostic[]} diagnostics @returns {Generator<null, Cursor>} */
+function* cursorOf({ text, macros, locate }, diagnostics) {
   const report = (
     /** @type {string} */ code,
     /** @type {string} */ message,
     /** @type {number} */ start,
     /** @type {number} */ end,
   ) => void diagnostics.push({ severity: 'error', code, message, span: locate(start, end) });
-  return createCursor(scan(text, report), locate, diagnostics, macros);
+  return createCursor(yield* scanInSlices(text, report), locate, diagnostics, macros);
 }
 
 /** @param {Diagnostic[]} diagnostics */
@@ -83,8 +89,8 @@ function isProgram(cursor) {
   return cursor.isWord('PROGRAM', ahead) || cursor.isWord('BEGIN', ahead);
 }
 
-/** @param {Cursor} cursor @returns {Program} */
-function readProgram(cursor) {
+/** @param {Cursor} cursor @returns {Generator<null, Program>} */
+function* readProgram(cursor) {
   const from = cursor.position();
   const comments = cursor.commentsHere().map(withoutTrailing);
   const early = cursor.peek().type === 'directive' ? readDeclarations(cursor, { lenient: true }) : [];
@@ -102,7 +108,7 @@ function readProgram(cursor) {
   let after = [];
   try {
     cursor.needWord('BEGIN');
-    body = readStatements(cursor, ['END']);
+    body = yield* bodyInSlices(cursor, ['END'], readStatement);
     readEnd(cursor, name);
     after = readDeclarations(cursor);
     const token = cursor.peek();

@@ -17,6 +17,7 @@
  * @property {Context['usingOf']} usingOf
  * @property {Diagnostic[]} diagnostics
  */
+import { finished, inPieces } from '../slices.js';
 import { DIRECTIVES } from './constants.js';
 import { declareAll, NOWHERE } from './declarations.js';
 import { includeFiles } from './includes.js';
@@ -27,7 +28,10 @@ import { checkUnset } from './unset.js';
 const DECLARATIONS = new Set(['constants', 'types', 'variables', 'routine', 'directive', 'comment']);
 
 /** @param {Program | Fragment} tree @param {Files} files @param {boolean} [hasGaps] whether something else of the text is missing @returns {Analysis} */
-export function analyse(tree, files, hasGaps = false) {
+export const analyse = (tree, files, hasGaps) => finished(analyseInSlices(tree, files, hasGaps));
+
+/** The same, some statements at a time. @param {Program | Fragment} tree @param {Files} files @param {boolean} [hasGaps] @returns {Generator<null, Analysis>} */
+export function* analyseInSlices(tree, files, hasGaps = false) {
   const inclusion = includeFiles(tree, files);
   const program = asProgram(inclusion.tree);
   const diagnostics = inclusion.diagnostics;
@@ -53,7 +57,8 @@ export function analyse(tree, files, hasGaps = false) {
     if (!leavesUnset) checkUnset(symbol.node.body ?? [], { ...context, locals: symbol.locals, routine: symbol });
     checkVariables(symbol.locals, scope, false);
   }
-  checkBody(program.body, { ...context, locals: new Map(), routine: null });
+  const main = { ...context, locals: new Map(), routine: null };
+  yield* inPieces(program.body, (piece) => checkBody(piece, main));
   checkLabels(program.body, scope);
   if (tree.kind === 'program') checkVariables(scope.globals, scope, true);
   return { program, scope, typeOf: context.typeOf, symbolOf: context.symbolOf, usingOf: context.usingOf, diagnostics };

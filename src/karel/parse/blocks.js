@@ -5,6 +5,7 @@
  * @import { Comment, Statement } from '../tree.js'
  * @import { Cursor } from './cursor.js'
  */
+import { finished, PIECE } from '../slices.js';
 import { FAULT, shownToken } from './cursor.js';
 
 const CLOSERS = new Set(
@@ -23,7 +24,18 @@ const OUTSIDE = new Set(['END', 'BEGIN', 'ROUTINE', 'PROGRAM', 'VAR', 'CONST', '
  * @param {() => boolean} [isEnd]  another end than by a word
  * @returns {Statement[]}
  */
-export function readBody(cursor, enders, readStatement, isEnd = () => false) {
+export const readBody = (cursor, enders, readStatement, isEnd) =>
+  finished(bodyInSlices(cursor, enders, readStatement, isEnd));
+
+/**
+ * The same, some statements at a time.
+ * @param {Cursor} cursor
+ * @param {readonly string[]} enders
+ * @param {(cursor: Cursor) => Statement | null} readStatement
+ * @param {() => boolean} [isEnd]
+ * @returns {Generator<null, Statement[]>}
+ */
+export function* bodyInSlices(cursor, enders, readStatement, isEnd = () => false) {
   /** @type {Statement[]} */
   const body = [];
   cursor.outside();
@@ -60,6 +72,7 @@ export function readBody(cursor, enders, readStatement, isEnd = () => false) {
       cursor.outside();
       skipLine(cursor, from);
     }
+    if (body.length % PIECE === 0) yield null;
   }
 }
 

@@ -8,14 +8,18 @@
  * @import { Code, Host, Instruction, Machine } from './machine.js'
  * @import { Value } from './values.js'
  */
-import { analyse } from '../check/analysis.js';
+import { analyseInSlices } from '../check/analysis.js';
+import { finished, inPieces } from '../slices.js';
 import { createCompiler } from './compiler.js';
 import { returnNothing } from './machine.js';
 import { compileBody } from './statements.js';
 import { Alarm, unsetValue } from './values.js';
 
 /** @param {Program} tree @param {Host} host */
-export function link(tree, host) {
+export const link = (tree, host) => finished(linkInSlices(tree, host));
+
+/** The same, some statements at a time. @param {Program} tree @param {Host} host @returns {Generator<null, Linker>} */
+export function* linkInSlices(tree, host) {
   /** @type {Linker} */
   const linker = {
     image: { codes: [], handlers: [], entries: {} },
@@ -24,13 +28,13 @@ export function link(tree, host) {
     names: [],
     programNamed: (name) => programNamed(name, linker),
   };
-  addProgram(tree, linker);
+  yield* addProgram(tree, linker);
   return linker;
 }
 
-/** @param {Program} tree @param {Linker} linker @returns {number} its index */
-function addProgram(tree, linker) {
-  const analysis = analyse(tree, linker.host.sources ?? {}, linker.host.hasGaps);
+/** @param {Program} tree @param {Linker} linker @returns {Generator<null, number>} its index */
+function* addProgram(tree, linker) {
+  const analysis = yield* analyseInSlices(tree, linker.host.sources ?? {}, linker.host.hasGaps);
   const index = linker.analyses.length;
   linker.analyses.push(analysis);
   linker.names.push(analysis.program.name.toUpperCase());
@@ -60,7 +64,7 @@ function addProgram(tree, linker) {
   begin(analysis.program.name, null, analysis.program.body);
   for (const symbol of routines) if (symbol.kind === 'routine') begin(symbol.name, symbol, symbol.node?.body ?? []);
   for (const [code, compiler, body] of bodies) {
-    compileBody(body, compiler);
+    yield* inPieces(body, (piece) => compileBody(piece, compiler));
     const needsValue = compiler.routine && compiler.routine.returns.kind !== 'NOTHING';
     compiler.line = 0;
     compiler.emit(needsValue ? missingReturn : returnNothing);
@@ -91,5 +95,5 @@ function programNamed(name, linker) {
   if (known >= 0) return known;
   const { programs = {} } = linker.host;
   const key = Object.keys(programs).find((one) => one.toUpperCase() === upper);
-  return key === undefined ? -1 : addProgram(programs[key], linker);
+  return key === undefined ? -1 : finished(addProgram(programs[key], linker));
 }

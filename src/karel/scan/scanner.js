@@ -16,6 +16,7 @@
  * @typedef {{ text: string, start: number, end: number, trailing: boolean }} ScannedComment
  * @typedef {(code: string, message: string, start: number, end: number) => void} Report
  */
+import { finished, PIECE } from '../slices.js';
 import { MAX_INTEGER } from '../tree.js';
 import { MAX_STRING_LENGTH } from '../words.js';
 
@@ -30,10 +31,15 @@ const DIRECTIVE = /%[ \t]*([A-Za-z_][A-Za-z0-9_]*)((?:'[^'\r\n]*'|(?!--)[^\r\n']
 const COMMENT = /--[^\r\n]*/y;
 const STRING = /'(?:[^'\r\n]|'')*'/y;
 const OPEN_STRING = /'[^\r\n]*/y;
+/** Tokens. */
+const SOME = 20 * PIECE;
 const LARGEST_REAL = 3.4028235e38;
 
 /** @param {string} text @param {Report} report @returns {Token[]} the last is `end` */
-export function scan(text, report) {
+export const scan = (text, report) => finished(scanInSlices(text, report));
+
+/** The same, some tokens at a time. @param {string} text @param {Report} report @returns {Generator<null, Token[]>} */
+export function* scanInSlices(text, report) {
   /** @type {Token[]} */
   const tokens = [];
   /** @type {ScannedComment[]} */
@@ -65,7 +71,12 @@ export function scan(text, report) {
     return token;
   };
 
+  let told = 0;
   while (at < text.length) {
+    if (tokens.length - told > SOME) {
+      told = tokens.length;
+      yield null;
+    }
     let match;
     if ((match = matched(SPACE))) {
       // between tokens

@@ -6,6 +6,7 @@
  * @import { Span } from '../tree.js'
  * @import { TpInstruction, TpListing, TpPart } from './tree.js'
  */
+import { finished, PIECE } from '../slices.js';
 import { createTpCursor, TpFault } from './cursor.js';
 import { readInstruction } from './instructions.js';
 import { POSITION, readPosition } from './positions.js';
@@ -22,7 +23,10 @@ const MAX_DIAGNOSTICS = 500;
  * @param {string} text
  * @returns {{ tree: TpListing, diagnostics: Diagnostic[] }}
  */
-export function parseTp(text) {
+export const parseTp = (text) => finished(parseTpInSlices(text));
+
+/** The same, some lines at a time. @param {string} text @returns {Generator<null, { tree: TpListing, diagnostics: Diagnostic[] }>} */
+export function* parseTpInSlices(text) {
   /** @type {Diagnostic[]} */
   const diagnostics = [];
   /** @type {TpPart[]} */
@@ -47,6 +51,7 @@ export function parseTp(text) {
     if (head) [, section] = head;
     parts.push({ ...(head ? sectionPart(head) : partOf(section, bare, span, report)), raw, span });
     start += raw.length;
+    if (parts.length % PIECE === 0) yield null;
   }
   checkSections(parts, text, report);
   return { tree: { kind: 'tp-listing', parts, lineEnd: text.includes('\r\n') ? '\r\n' : '\n' }, diagnostics };

@@ -3,6 +3,7 @@
  * the text before and while it runs. Where the arm is, whoever runs them says.
  *
  * @import { Diagnostic } from '../../karel/parse/cursor.js'
+ * @import { Controller } from '../../karel/controllerTurns.js'
  * @import { Effect, State } from '../../karel/run/machine.js'
  * @import { TpListing } from '../../karel/tp/tree.js'
  * @import { Program } from '../../karel/tree.js'
@@ -22,14 +23,15 @@ import { createController, goOn } from '../../karel/controller.js';
 import { levelAt, memoryOf } from '../../karel/controllerTurns.js';
 import { runKrl } from '../../karel/krl/interpreter.js';
 import { parseKrl } from '../../karel/krl/parser.js';
-import { parseKarel } from '../../karel/parser.js';
+import { parseInSlices } from '../../karel/parser.js';
+import { linkInSlices } from '../../karel/run/link.js';
 import { checkTp } from '../../karel/tp/checker.js';
-import { parseTp } from '../../karel/tp/parser.js';
+import { parseTpInSlices } from '../../karel/tp/parser.js';
 import { nameOf } from '../../karel/tp/tree.js';
 
 const STEPS = 200_000;
 /** Statements between two looks at the clock. */
-const TURN = 200;
+const TURN = 100;
 
 /** KAREL's motion types and how moves end, as TP has them. */
 const MOTYPES = /** @type {Readonly<Record<number, string>>} */ ({ 6: 'J', 7: 'L', 8: 'C' });
@@ -112,20 +114,32 @@ function* runFanucFiles(files, findings, arm) {
   let start = '';
   for (const { name: file, language, text } of files) {
     if (language === 'karel') {
-      const { tree, diagnostics } = parseKarel(text);
-      yield null;
-      findings.push(...findingsOf(file, [...diagnostics, ...checkKarel(tree)]));
-      if (tree.kind !== 'program') continue;
+      const { tree, diagnostics } = yield* parseInSlices(text);
+      findings.push(...findingsOf(file, diagnostics));
+      if (tree.kind !== 'program') {
+        findings.push(...findingsOf(file, checkKarel(tree)));
+        continue;
+      }
       karel[tree.name] = tree;
       fileOf.set(tree.name.toUpperCase(), file);
       start ||= tree.name;
     } else {
-      const { tree, diagnostics } = parseTp(text);
+      const { tree, diagnostics } = yield* parseTpInSlices(text);
+      yield null;
       findings.push(...findingsOf(file, [...diagnostics, ...checkTp(tree)]));
+      yield null;
       listings[nameOf(tree)] = tree;
       fileOf.set(nameOf(tree), file);
       start ||= nameOf(tree);
     }
+  }
+  /** @type {Controller['linked']} */
+  const linked = new Map();
+  for (const [name, tree] of Object.entries(karel)) {
+    const linker = yield* linkInSlices(tree, { traceSteps: true, programs: karel });
+    linked.set(name.toUpperCase(), linker);
+    const file = /** @type {string} */ (fileOf.get(name.toUpperCase()));
+    findings.push(...findingsOf(file, linker.analyses[0].diagnostics));
   }
   if (start === '') return;
   const main = /** @type {string} */ (fileOf.get(start.toUpperCase()));
@@ -140,6 +154,7 @@ function* runFanucFiles(files, findings, arm) {
         position: () => arm.position(system(), levelAt(controller, controller.turn).language === 'tp'),
       }),
     },
+    linked,
   );
   if (arm && !controller.refusal) Object.assign(system(), arm.system);
   yield null;

@@ -82,6 +82,7 @@ export function* writeCode(doc, request) {
   const none = { doc: asked, request, files: [], notes: [], made: null };
   if (!made) return { ...none, issues };
   const all = [...robotIssues(doc.robot, brand), ...targetIssues(asked, made), ...registerIssues(made, request)];
+  yield 1;
   if (all.some(({ severity }) => severity === 'error')) return { ...none, issues: all };
   const checked = { ...made.program, check: uncheckedLines(doc.robot, version) };
   const written = write(checked, { ...options, programName: options.programName ?? firstName(doc, source) });

@@ -7,7 +7,10 @@
 import { plainText, wrapped } from '../plainText.js';
 import { number, register } from '../tp/tree.js';
 import { MAX_REMARK_LENGTH, programComment, titleOf } from './header.js';
-import { isWrittenAsPosition, movesOf, rounded } from './neutral.js';
+import { isWrittenAsPosition, movesOf, rounded, roundedWaits } from './neutral.js';
+
+/** Of the seconds of WAIT. */
+const WAIT_DECIMALS = 2;
 
 /** What speeds a listing takes (HandlingTool operator's manual, 7.2). */
 const SPEEDS = /** @type {const} */ ({
@@ -197,5 +200,5 @@ export function fanucNotes(program) {
         step,
       });
   }
-  return notes;
+  return [...notes, ...roundedWaits(program, WAIT_DECIMALS)];
 }

@@ -9,9 +9,12 @@ import { printKarel } from '../printer.js';
 import { binary, call, integer, name, real } from '../tree.js';
 import { headerLines } from './header.js';
 import { assign, comment, karelProgram, OWN, targetParts } from './karelParts.js';
-import { isWrittenAsPosition, missingConfigurations, movesOf } from './neutral.js';
+import { isWrittenAsPosition, missingConfigurations, movesOf, roundedWaits } from './neutral.js';
 
 const MOTION = { joint: 'JOINT', linear: 'LINEAR', circular: 'CIRCULAR' };
+
+/** DELAY counts milliseconds. */
+const DELAY_DECIMALS = 3;
 
 /** What the program calls its own things, besides those of all. */
 export const NAMES = { target: 'target_n', via: 'via_n', index: 'prog_idx' };
@@ -28,6 +31,7 @@ export function writeKarelMove(program, { programName = program.name } = {}) {
     },
     ...(program.notes ?? []),
     ...missingConfigurations(program, 'fanuc'),
+    ...roundedWaits(program, DELAY_DECIMALS),
     {
       ...{ severity: 'note', code: 'unverified-move' },
       message:

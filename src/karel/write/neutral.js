@@ -96,6 +96,17 @@ export function missingConfigurations(program, code, needs = () => true) {
   }));
 }
 
+/** Waits that are written shorter or longer than they are: each once. @param {NeutralProgram} program @param {number} decimals  of seconds @returns {WriteNote[]} */
+export function roundedWaits({ steps }, decimals) {
+  const changed = steps.flatMap((step) => {
+    const written = step.kind === 'wait' ? Number(step.seconds.toFixed(decimals)) : 0;
+    return step.kind === 'wait' && written !== step.seconds ? [`${step.seconds} s becomes ${written} s`] : [];
+  });
+  if (changed.length === 0) return [];
+  const each = [...new Set(changed)].slice(0, MOST_NAMED).join(', ');
+  return [{ severity: 'note', code: 'wait', message: `Waits have ${decimals} decimals of a second: ${each}.` }];
+}
+
 /** @param {readonly number[]} numbers */
 const listed = (numbers) => numbers.slice(0, MOST_NAMED).join(', ') + (numbers.length > MOST_NAMED ? ', ...' : '');
 const MOST_NAMED = 8;

@@ -2,8 +2,8 @@
  * A motion that running code asks for, as moves of the arm and as a plan in time. The controller counts in millimetres and degrees,
  * in its own way of counting joints, and in the frames that are chosen (codeFrames.js).
  *
- * Approximations: every motion stops at its end; a joint motion of KAREL goes at the joints' full rates; NEAR, AWAY, BY, RELATIVE and
- * AXIS are not simulated, since nothing published says exactly what they do.
+ * Approximations: every motion stops at its end; a joint motion of KAREL goes at the joints' full rates. What becomes of NEAR, AWAY and
+ * AXIS is in codeOffsets.js.
  *
  * @import { CodeFrames, SystemValues } from './codeFrames.js'
  * @import { Doc } from '../document.js'
@@ -25,6 +25,7 @@ import { limitsOf } from '../program/motionLimits.js';
 import { ASSUMED_TOOL_ACCELERATION, ASSUMED_TOOL_TURN, UNREACHED } from '../program/motionPlan.js';
 import { toKernel } from '../units.js';
 import { codeFrames, OWN_FRAME } from './codeFrames.js';
+import { asPlainMove } from './codeOffsets.js';
 
 const MM = /** @type {const} */ ({ length: 'mm', angle: 'deg' });
 /** By $MOTYPE. @type {Readonly<Record<number, 'L' | 'C'>>} */
@@ -69,7 +70,9 @@ export function planOfMove(doc, posture, effect, system) {
  */
 export function movesOf(doc, start, effect, system) {
   const frames = effect.brand === 'kuka' ? { ...controllerFrames(doc, 'kuka'), missing: [] } : codeFrames(doc, system);
-  const asked = effect.settings ? asTp(effect, system) : [effect];
+  const plain = effect.settings ? asPlainMove(doc, start, effect, system) : effect;
+  if ('message' in plain) return { message: String(plain.message) };
+  const asked = effect.settings ? asTp(plain, system) : [effect];
   if ('message' in asked) return asked;
   let /** @type {Float64Array} */ from = start;
   /** @type {{ move: CodeMove, effect: Effect }[]} */
@@ -92,8 +95,7 @@ function asTp(effect, system) {
   const set = (/** @type {string} */ name) =>
     settings[`$${name}`] ?? settings[`$GROUP[1].$${name}`] ?? system[`GROUP[1].${name}`] ?? system[name];
   const { to } = effect;
-  const places = to === 'ALONG' ? nodesOf(effect.nodes) : to === 'TO' ? [effect.position] : null;
-  if (!places) return { message: `MOVE ${String(to)} is not simulated here; MOVE TO and MOVE ALONG are.` };
+  const places = to === 'ALONG' ? nodesOf(effect.nodes) : [effect.position];
   const speed = Number(set('SPEED') ?? FIRST_SPEED);
   if (!(speed > 0)) return { message: `Expected $SPEED above 0, got ${speed}.` };
   const motion = effect.isJoint ? 'J' : (MOTYPES[Number(set('MOTYPE'))] ?? 'J');

@@ -3,6 +3,7 @@
  *
  * @import { ProgramDoc } from '../document.js'
  * @import { Diagnostic } from '../../karel/parse/cursor.js'
+ * @import { Move } from '../../karel/tree.js'
  *
  * @typedef {{ from: number, to: number, line: number, severity: 'error' | 'warning', message: string }} Problem  in characters of the text
  */
@@ -53,14 +54,18 @@ function deprecated(tree) {
   const look = (/** @type {unknown} */ node) => {
     if (Array.isArray(node)) return node.forEach(look);
     if (typeof node !== 'object' || node === null) return;
-    const { kind, span } = /** @type {{ kind?: string, span?: Diagnostic['span'] }} */ (node);
-    if (kind === 'move' && span)
-      found.push({ severity: 'warning', code: 'deprecated-move', message: DEPRECATED, span });
+    const { kind, span, target } = /** @type {Partial<Move> & { span?: Diagnostic['span'] }} */ (node);
+    if (kind === 'move' && span) {
+      const doubt = OFFSETS.test(target?.to ?? '') ? ` What ${target?.to} means is not verified.` : '';
+      found.push({ severity: 'warning', code: 'deprecated-move', message: DEPRECATED + doubt, span });
+    }
     for (const [name, inner] of Object.entries(node)) if (name !== 'span') look(inner);
   };
   look(tree);
   return found;
 }
+
+const OFFSETS = /^(NEAR|AWAY|AXIS)$/;
 
 const DEPRECATED =
   'MOVE is deprecated since R-30iA: a controller may refuse it, or move unexpectedly. It runs here; TP programs are to move the arm, as a new KAREL program shows.';

@@ -163,3 +163,17 @@ test.for([
   if (reason === null) expect([fault, krlName(/** @type {string} */ (name))]).toEqual([null, name]);
   else expect(fault).toContain(reason);
 });
+
+test('a wait that a language has no decimals for is told, and what it becomes', () => {
+  const program = (/** @type {number} */ seconds) => ({
+    ...{ name: 'p', robotName: 'r', version: '1', generatedAt: '2026-07-01T12:00:00Z', convention: [], slides: [] },
+    ...{ frames: [], steps: [{ kind: /** @type {const} */ ('wait'), seconds }] },
+  });
+  const told = (/** @type {typeof writeTp} */ write, /** @type {number} */ seconds) =>
+    write(program(seconds)).notes.find(({ code }) => code === 'wait')?.message;
+  for (const write of [writeTp, writePair])
+    expect(told(write, 0.125)).toBe('Waits have 2 decimals of a second: 0.125 s becomes 0.13 s.');
+  expect(told(writeKarelMove, 0.125)).toBeUndefined();
+  expect(told(writeKarelMove, 0.0004)).toContain('0.0004 s becomes 0 s');
+  for (const write of WRITERS) expect(told(write, 0.25)).toBeUndefined();
+});

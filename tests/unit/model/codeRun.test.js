@@ -1,6 +1,7 @@
 /** Code under the debugger: where it stops, what it shows, and that going back is exact; and what its motions come to. */
 import { expect, test } from 'vitest';
 import { createCodeRun } from '../../../src/model/code/codeRun.js';
+import { positionForCode } from '../../../src/model/code/codeFrames.js';
 import { planOfMove } from '../../../src/model/code/codeMoves.js';
 import { valueText, UNSET } from '../../../src/model/code/codeValues.js';
 import { tcpPose } from '../../../src/kinematics/forward.js';
@@ -145,10 +146,40 @@ test('a position that was never set, and a motion that nobody defines, are refus
   expect(refused({ to: 'TO', position: undefined })).toMatchObject({
     message: expect.stringContaining('uninitialised'),
   });
-  expect(refused({ to: 'AWAY', by: 5 })).toMatchObject({ message: expect.stringContaining('MOVE AWAY') });
+  expect(refused({ to: 'RELATIVE', by: [0, 0, 5] })).toMatchObject({
+    message: expect.stringContaining('MOVE RELATIVE'),
+  });
+  expect(refused({ to: 'NEAR', by: 5, position: undefined })).toMatchObject({
+    message: expect.stringContaining('uninitialised'),
+  });
+  expect(refused({ to: 'AXIS', axis: 7, by: 5 })).toMatchObject({ message: expect.stringContaining('from 1 to 6') });
   expect(refused({ to: 'TO', position: [9000, 0, 0, 0, 0, 0, 0] })).toMatchObject({
     message: 'The arm does not reach this pose.',
   });
+});
+
+test('NEAR and AWAY keep off along the tool, AXIS takes one joint', () => {
+  const doc = newDocument(firstRobot);
+  const chain = compileRobot(doc.robot);
+  const start = compilePosture(doc.robot, doc.posture);
+  const at = positionForCode(doc, {}, false);
+  const endOf = (/** @type {Record<string, unknown>} */ effect) => {
+    const planned = planOfMove(doc, doc.posture, { kind: 'move', settings: { $MOTYPE: 7 }, ...effect }, {});
+    if (!('plan' in planned)) throw new Error(planned.message);
+    return planMomentAt(planned.plan, planned.plan.duration).posture;
+  };
+  const T = tcpPose(chain, start);
+  for (const effect of [
+    { to: 'AWAY', by: 20 },
+    { to: 'NEAR', by: 20, position: [...at, 0, 0, 0].slice(0, 10), isJoint: false },
+  ]) {
+    const T_end = tcpPose(chain, endOf(effect));
+    // 20 mm against the tool's z axis
+    for (let i = 0; i < 3; i++) expect(T_end[12 + i]).toBeCloseTo(T[12 + i] - 0.02 * T[8 + i], 6);
+  }
+  const end = endOf({ to: 'AXIS', axis: 1, by: 10 });
+  expect(end[0] - start[0]).toBeCloseTo(Math.PI / 18, 9);
+  expect([...end.slice(1)]).toEqual([...start.slice(1)].map((value) => expect.closeTo(value, 9)));
 });
 
 test('values are shown as code has them', () => {

@@ -126,7 +126,7 @@ test('code of a person is run from where the arm is, and looked at without a pro
     '  a : XYZWPR',
     'BEGIN',
     '  a = CURPOS(0, 0)',
-    '  MOVE NEAR a BY 10',
+    '  MOVE RELATIVE a',
     'END n',
   ]);
   expect(verifyCode(doc, null, [near]).findings.at(-1)).toMatchObject({ severity: 'error', line: 6 });

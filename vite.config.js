@@ -48,6 +48,7 @@ export default defineConfig({
               program: '(ui|model)/(program|workcell)',
               workspace: '(ui/workspace|model/workspace|io/workspace)',
               files: 'io',
+              chosen: 'ui/files',
               code: '(model/(code|controller)|karel|ui/words/(code|writeCode)|ui/code/(?!codeRoom|editor|languages)[A-Za-z]+)',
               marks: 'render/(drag/(?!obstacle)[A-Za-z]+|marks/(?!reach|path|obstacle|capsule|clearance)[A-Za-z]+)',
               arm: 'ui/(aim|pose|jog/(jog|pendant)[A-Za-z]*|robot/(?!pasteTable|robot|frame)[A-Za-z]*)',

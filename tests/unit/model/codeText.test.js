@@ -4,10 +4,13 @@ import { expect, test } from 'vitest';
 import { scan } from '../../../src/karel/scan/scanner.js';
 import { parseTp } from '../../../src/karel/tp/parser.js';
 import { linesOf } from '../../../src/karel/tp/tree.js';
+import { codeArm } from '../../../src/model/code/codeArm.js';
+import { systemAtFirst } from '../../../src/model/code/codeFrames.js';
 import { formatted } from '../../../src/model/code/codeFormat.js';
 import { namesFor } from '../../../src/model/code/codeNames.js';
 import { moveOfLine, pathOf, previewOf } from '../../../src/model/code/codePreview.js';
 import { problemsOf } from '../../../src/model/code/codeProblems.js';
+import { createCodeRun } from '../../../src/model/code/codeRun.js';
 import { registerComments, signalsNamed, signalsOf } from '../../../src/model/code/codeSignals.js';
 import { codeSet } from '../../../src/model/controller/codeSets.js';
 import { verifyCode } from '../../../src/model/controller/verifyCode.js';
@@ -63,6 +66,17 @@ test('nothing is said against what a new program begins with, and its moves are 
   const { findings, moves } = verifyCode(doc, null, files);
   expect(moves.map(({ file, motion }) => [file, motion])).toEqual(Array(2).fill(['go_lin.ls', 'linear']));
   expect(findings.filter(({ message }) => !message.startsWith('up at '))).toEqual([]);
+  // whoever asks what the arm does is told the line
+  const made = createCodeRun(
+    doc.programs,
+    'main',
+    codeArm(() => doc),
+    systemAtFirst(doc),
+  );
+  if (!('run' in made)) throw new Error('Expected a program that runs.');
+  const never = () => false;
+  expect(made.run.advance(never, 1000, () => null).effect?.kind).toBe('move');
+  expect(made.run.state().arm.motion?.effect.line).toBe(9);
 });
 
 test('each language completes its own words, and TP what is at hand', () => {

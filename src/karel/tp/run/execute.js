@@ -28,7 +28,7 @@ const MAX_FRAMES = 100;
  * @param {TpCode} code
  * @returns {Effect | null}
  */
-export function execute({ instruction: node }, machine, frame, code) {
+export function execute({ instruction: node, span }, machine, frame, code) {
   const { state } = machine;
   const here = frame.at;
   switch (node.kind) {
@@ -41,7 +41,7 @@ export function execute({ instruction: node }, machine, frame, code) {
       return null;
     case 'motion': {
       const effect = moveEffect(node, machine, frame);
-      frame.motion = beginMotion(state.arm, effect, state.time);
+      frame.motion = beginMotion(state.arm, { ...effect, line: span?.line ?? here + 1 }, state.time);
       frame.at++;
       return effect;
     }

@@ -119,6 +119,7 @@ test('a TP program shows where its lines lead, waits for an input, and runs on w
   if (!point) throw new Error('Expected the point of line 13 in the scene.');
   await page.mouse.click(point.x + point.width / 2, point.y + point.height / 2);
   await expect(page.locator('.cm-activeLine')).toContainText('L PR[2:above]');
+  await expect(page.locator('.tag.ghost')).toHaveText('line 13'); // there is no hovering with a finger
 
   const status = page.locator('.code-status');
   const height = () => page.evaluate(() => window.denavit.pose()[2][3]);
@@ -131,6 +132,7 @@ test('a TP program shows where its lines lead, waits for an input, and runs on w
   await page.getByRole('switch', { name: 'DI[1] go back, an input: set it' }).click();
   await expect(status).toHaveText('The program has ended');
   expect(await height()).toBeCloseTo(before, 5);
+  await expectAccessible(page, { within: '#panel-code' });
 
   await page.getByRole('button', { name: 'Step back' }).click();
   await page.getByLabel('PR[2] Z').fill('100');

@@ -177,9 +177,9 @@ export function createEditor(host, { onText, onLeave, onStops, onLine, onPoint, 
     },
     /** @param {number} line */
     goTo(line) {
+      view.focus(); // first, so that whoever hears of the line finds it looked at
       const { from } = view.state.doc.line(Math.min(Math.max(1, line), view.state.doc.lines));
       view.dispatch({ selection: { anchor: from }, effects: EditorView.scrollIntoView(from, { y: 'center' }) });
-      view.focus();
     },
   };
 }

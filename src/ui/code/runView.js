@@ -17,7 +17,7 @@ const PARTS = /** @type {const} */ (['variables', 'registers', 'output']);
 export function createRunView(host, control) {
   /** That a person has chosen. @type {typeof PARTS[number] | null} */
   let chosenPart = null;
-  const stack = h('p', { class: 'code-stack', 'aria-label': CODE.stack });
+  const stack = h('p', { class: 'code-stack', role: 'group', 'aria-label': CODE.stack });
   const choice = segments(CODE.shown, PARTS, CODE.parts, (part) => {
     chosenPart = part;
     open(part);

@@ -20,7 +20,7 @@ export const WRITE = {
   speedOfProgram: 'Speed, % of the program’s',
   speedOfJoints: 'Speed, % of the joints’ rates',
   frame: 'Positions in',
-  frames: { own: 'the frames of the steps', world: 'the world (0)' },
+  frames: { own: 'each step’s own', world: 'the world (0)' },
   user: (/** @type {string} */ name) => `UFRAME or BASE of ${name}`,
   tool: (/** @type {string} */ name) => `UTOOL or TOOL of ${name}`,
   toolInUse: 'the tool in use',

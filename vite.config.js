@@ -40,7 +40,6 @@ export default defineConfig({
             // What is imported when needed but always much of it together: in many small pieces it weighs a fifth more than in one.
             ...later({
               kinematics: '(kinematics|motion)',
-
               parts:
                 'ui/(travel|css/(typedIn|controller)|robot/poseEditor|parts/(dialog|textEditor|menuPlugin|severalField|segments|svg|scientific|curveStyle|clipboard|startJob|lastQuestion))',
               tables:

@@ -15,7 +15,7 @@
  * @typedef {object} SectionOptions
  * @property {Cut} [cut]            missing: the arm's own
  * @property {boolean} [withLimits] of turning joints (true)
- * @property {number} [tolerance]   m: how far lines may be off the curves (2e-5)
+ * @property {number} [tolerance]   m: how far lines may be off the curves (2e-5); up to 2.5 times as far where that closes a long gap
  * @property {number} [cell]        m: the size of the cells (5e-4)
  * @property {number} [seed]
  * @property {boolean} [withVolume]  also of what the first joint makes of it through less than a full turn, which takes a while (true)
@@ -76,6 +76,13 @@ const WORD = 4;
 /** Strips between curves narrower than so many tolerances are not asked of: estimated outlines may be off by as much. */
 const STRIP = 3;
 
+/**
+ * An estimated outline whose longest gap is longer than so many tolerances is looked for again, with curves that are coarser by these
+ * factors: which pieces are overlooked depends on where curves happen to have their points.
+ */
+const LONG_GAP = 100;
+const COARSER = [1.5, 2.5];
+
 /** The axis is looked at in so many pieces. */
 const AXIS_PIECES = 400;
 
@@ -88,7 +95,23 @@ const FEW = 10;
  * @returns {Generator<SectionProgress, Section | null>} null if the arm has no such section
  */
 export function* mapSection(chain, options = {}) {
-  const { withLimits = true, tolerance = 2e-5, cell = 5e-4, seed = 1, withVolume = true } = options;
+  const { tolerance = 2e-5 } = options;
+  let best = yield* sectionWithin(chain, { ...options, tolerance });
+  for (const factor of COARSER) {
+    if (!best || best.sides === 'proven' || best.gap <= LONG_GAP * tolerance) break;
+    const other = yield* sectionWithin(chain, { ...options, tolerance: factor * tolerance });
+    if (other && other.areaError < best.areaError) best = other;
+  }
+  return best;
+}
+
+/**
+ * @param {Chain} chain
+ * @param {SectionOptions & { tolerance: number }} options
+ * @returns {Generator<SectionProgress, Section | null>}
+ */
+function* sectionWithin(chain, options) {
+  const { withLimits = true, tolerance, cell = 5e-4, seed = 1, withVolume = true } = options;
   const cut = options.cut ?? ownCut(chain, withLimits);
   const map = cut && createSectionMap(chain, cut, withLimits);
   if (!map) return null;

@@ -113,6 +113,12 @@ describe('the section of a planar 3R arm', () => {
   });
 });
 
+test.runIf(isDeep)('where a piece of boundary is overlooked, coarser lines find it', () => {
+  const { gap, area, areaError } = sectionOf(publishedArm('kuka_kr6_r900'));
+  expect(gap).toBeLessThan(1e-3);
+  expect(areaError).toBeLessThan(1e-3 * area);
+});
+
 describe('the section of an arm with joints to spare closes, and misses no place that is sampled:', () => {
   test.each(['ur10', 'kuka_youbot', ...(isDeep ? ['ur5', 'kuka_kr6_r900', 'kuka_kr210_l150', 'kinova_jaco'] : [])])(
     '%s',

@@ -13,7 +13,7 @@ import { quantityOf } from '../document.js';
  */
 export function conventionLines(robot) {
   if (hasControllerData(robot)) return robot.joints.map((_, index) => conventionLine(robot, index));
-  return ["the model's own joint values; it has no controller data, and the coupling of FANUC's J3 to J2 is not set"];
+  return ["the model's own joint values; it has no controller data: no signs, offsets or couplings of joints are set"];
 }
 
 /** Of one joint, whatever the others have. @param {RobotDoc} robot @param {number} index */

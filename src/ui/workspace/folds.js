@@ -5,11 +5,16 @@
  *
  * @import { Page } from '../page.js'
  *
+ * @callback CreateFold
+ * @param {Page} page
+ * @param {HTMLElement} body
+ * @param {(summary: string) => void} say  puts the most important into its head
+ * @param {(draw: () => void) => void} afterPress  draws when nothing in the panel is pressed
+ *
  * @typedef {object} WorkspaceFold
  * @property {string} id     of the fold; its head is the element `fold-reach-<id>`
  * @property {string} name
- * @property {(page: Page, body: HTMLElement, say: (summary: string) => void) => Promise<void>} create  what is in it; `say` puts
- *   the most important into its head
+ * @property {(...given: Parameters<CreateFold>) => Promise<void>} create  what is in it
  */
 import { WORKSPACE } from '../words/workspace.js';
 
@@ -18,12 +23,12 @@ export const FOLDS = [
   {
     id: 'volume',
     name: WORKSPACE.name.volume,
-    create: async (page, body, say) => (await import('./volumePanel.js')).createVolumePanel(page, body, say),
+    create: async (...given) => (await import('./volumePanel.js')).createVolumePanel(...given),
   },
   {
     id: 'section',
     name: WORKSPACE.name.section,
-    create: async (page, body, say) => (await import('./sectionPanel.js')).createSectionPanel(page, body, say),
+    create: async (...given) => (await import('./sectionPanel.js')).createSectionPanel(...given),
   },
   {
     id: 'points',

@@ -29,7 +29,7 @@ export function createMapProgress({ store, announce }, name) {
   const put = (map) => store.dispatch({ type: 'show', change: { maps: { ...store.state.session.maps, [name]: map } } });
   cancel.addEventListener('click', () => {
     const map = store.state.session.maps[name];
-    if (!map) return;
+    if (map?.status !== 'working') return; // it was done while the button was pressed
     put({ ...map, status: 'cancelled' });
     announce(map.isStale ? WORKSPACE.cancelledNone : WORKSPACE.cancelled);
   });

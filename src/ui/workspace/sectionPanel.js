@@ -1,7 +1,7 @@
 /**
  * The section: the places of the tool point in a plane, drawn, traced and measured.
  *
- * @import { Page } from '../page.js'
+ * @import { CreateFold } from './folds.js'
  * @import { Units } from '../../model/document.js'
  * @import { SectionMap, TracedSection } from '../../model/workspace/mapped.js'
  */
@@ -32,8 +32,8 @@ const NO_GAP = 5e-5;
 const FULL_TURN = 2 * Math.PI;
 const NEARLY = 1e-9;
 
-/** @param {Page} page @param {HTMLElement} body @param {(summary: string) => void} say */
-export function createSectionPanel(page, body, say) {
+/** @type {CreateFold} */
+export function createSectionPanel(page, body, say, afterPress) {
   const { store, addView, derived, messages, announce } = page;
   const shown = h('input', { type: 'checkbox', role: 'switch' });
   shown.addEventListener('change', () => look(page, { hasSection: shown.checked }));
@@ -82,8 +82,10 @@ export function createSectionPanel(page, body, say) {
   );
   addView(
     together(({ doc, session }) => [session.maps.section, doc.robot, session.workspace]),
-    ([map, robot]) => draw(map, robot.units),
+    () => afterPress(drawNow),
   );
+
+  const drawNow = () => draw(store.state.session.maps.section, store.state.doc.robot.units);
 
   /** What turns the section into all that is reached. */
   function sweep() {

@@ -1,7 +1,7 @@
 /**
  * The volume: all places of the tool point, as a solid or as points in the scene, and what is known of them in numbers.
  *
- * @import { Page } from '../page.js'
+ * @import { CreateFold } from './folds.js'
  * @import { VolumeMap } from '../../model/workspace/mapped.js'
  * @import { WorkspaceView } from '../../model/workspace/workspaceView.js'
  */
@@ -28,8 +28,8 @@ const WORDS = WORKSPACE.volume;
 /** Places need so many coordinates; an arm with more joints that move the tool point has some to spare. */
 const COORDINATES = 3;
 
-/** @param {Page} page @param {HTMLElement} body @param {(summary: string) => void} say */
-export function createVolumePanel(page, body, say) {
+/** @type {CreateFold} */
+export function createVolumePanel(page, body, say, afterPress) {
   const { store, addView, derived, messages } = page;
   const style = segments(WORDS.style.label, STYLES, WORDS.style.name, (value) => look(page, { style: value }));
   const shown = h('input', { type: 'checkbox', role: 'switch' });
@@ -113,8 +113,10 @@ export function createVolumePanel(page, body, say) {
   );
   addView(
     together(({ doc, session }) => [session.maps.volume, session.workspace?.colour, session.workspace?.style, doc.robot.units, doc.robot]), // prettier-ignore
-    ([map]) => draw(map, viewNow(page)),
+    () => afterPress(drawNow),
   );
+
+  const drawNow = () => draw(store.state.session.maps.volume, viewNow(page));
 
   /** @param {VolumeMap | null} map @param {WorkspaceView} view */
   function draw(map, view) {

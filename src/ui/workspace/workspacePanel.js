@@ -8,6 +8,7 @@ import '../css/workspace.css';
 import { FIRST_WORKSPACE } from '../../model/workspace/workspaceView.js';
 import { h } from '../parts/dom.js';
 import { foldMaker } from '../parts/fold.js';
+import { createPressGate } from '../parts/pressed.js';
 import { segments } from '../parts/segments.js';
 import { WORKSPACE } from '../words/workspace.js';
 import { FOLDS } from './folds.js';
@@ -22,11 +23,13 @@ export function createWorkspacePanel(page, host) {
   const limits = segments(WORKSPACE.limits.label, ['on', 'off'], WORKSPACE.limits.name, (value) =>
     look({ withLimits: value === 'on' }),
   );
+  // a map that is done, and a fold above that is shorter then, would take a button from under a slow finger
+  const afterPress = createPressGate(host, clock);
   const fold = foldMaker(clock, messages.fault);
   const folds = FOLDS.map(({ id, name, create }) => {
     const made = fold(
       `fold-reach-${id}`,
-      (body) => create(page, body, (summary) => made.setHead(name, summary)),
+      (body) => create(page, body, (summary) => made.setHead(name, summary), afterPress),
       (isOpen) => look({ open: [...view().open.filter((other) => other !== id), ...(isOpen ? [id] : [])] }),
     );
     made.setHead(name);

@@ -1,7 +1,7 @@
 /**
  * The section: the places of the tool point in a plane, drawn, traced and measured.
  *
- * @import { CreateFold } from './folds.js'
+ * @import { Page } from '../page.js'
  * @import { Units } from '../../model/document.js'
  * @import { SectionMap, TracedSection } from '../../model/workspace/mapped.js'
  */
@@ -32,7 +32,7 @@ const NO_GAP = 5e-5;
 const FULL_TURN = 2 * Math.PI;
 const NEARLY = 1e-9;
 
-/** @type {CreateFold} */
+/** @param {Page} page @param {HTMLElement} body @param {(summary: string) => void} say @param {(draw: () => void) => void} afterPress  when nothing is pressed */
 export function createSectionPanel(page, body, say, afterPress) {
   const { store, addView, derived, messages, announce } = page;
   const shown = h('input', { type: 'checkbox', role: 'switch' });

@@ -1,7 +1,7 @@
 /**
  * The volume: all places of the tool point, as a solid or as points in the scene, and what is known of them in numbers.
  *
- * @import { CreateFold } from './folds.js'
+ * @import { Page } from '../page.js'
  * @import { VolumeMap } from '../../model/workspace/mapped.js'
  * @import { WorkspaceView } from '../../model/workspace/workspaceView.js'
  */
@@ -28,7 +28,7 @@ const WORDS = WORKSPACE.volume;
 /** Places need so many coordinates; an arm with more joints that move the tool point has some to spare. */
 const COORDINATES = 3;
 
-/** @type {CreateFold} */
+/** @param {Page} page @param {HTMLElement} body @param {(summary: string) => void} say @param {(draw: () => void) => void} afterPress  when nothing is pressed */
 export function createVolumePanel(page, body, say, afterPress) {
   const { store, addView, derived, messages } = page;
   const style = segments(WORDS.style.label, STYLES, WORDS.style.name, (value) => look(page, { style: value }));

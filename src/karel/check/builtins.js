@@ -109,7 +109,7 @@ GET_PORT_SIM type:I number:I *simulated:B *status:I
 SET_PORT_SIM type:I number:I value:I *status:I
 POST_ERR code:I text:S cause:I severity:I
 GET_TIME *time:I
-GET_USEC_TIM *time:I
+GET_USEC_TIM > I
 FORCE_SPMENU device:I menu:I screen:I
 KCL command:S *status:I
 KCL_NO_WAIT command:S *status:I

@@ -60,7 +60,7 @@ function checkStatement(statement, context) {
     case 'assign': {
       const to = checkTarget(statement.target, context);
       const from = typeOfExpression(statement.value, context);
-      if (!types.fits(from, to)) {
+      if (!types.fits(from, to.kind === 'PATH' && from.kind === 'STRUCTURE' ? (to.header ?? to) : to)) {
         const hint = types.isWhole(to) && from.kind === 'REAL' ? ' Use ROUND or TRUNC.' : '';
         report(
           'assignment',

@@ -6,20 +6,20 @@
  * @import { Compiler } from './compiler.js'
  * @import { Evaluate, Frame, Machine } from './machine.js'
  */
-import { isNumber, isPosition } from '../check/types.js';
+import { isNumber, isPosition, UNKNOWN } from '../check/types.js';
 import { emitPlain } from './emit.js';
 import { compileReference } from './expressions.js';
 import { asPosition, CONFIG_BITS } from './positions.js';
 import { copied, list, number, numbers, record, text, truth } from './values.js';
 
-/** @param {Designator} target @param {Evaluate} value @param {Compiler} compiler */
-export function compileAssignment(target, value, compiler) {
-  const put = compileSetting(target, value, compiler);
+/** @param {Designator} target @param {Evaluate} value @param {Compiler} compiler @param {Type} [from]  what the value is */
+export function compileAssignment(target, value, compiler, from = UNKNOWN) {
+  const put = compileSetting(target, value, compiler, from);
   emitPlain(compiler, put);
 }
 
-/** @param {Designator} target @param {Evaluate} value @param {Compiler} compiler @returns {(machine: Machine, frame: Frame) => void} */
-function compileSetting(target, value, compiler) {
+/** @param {Designator} target @param {Evaluate} value @param {Compiler} compiler @param {Type} from @returns {(machine: Machine, frame: Frame) => void} */
+function compileSetting(target, value, compiler, from) {
   const type = compiler.typeOf(target);
   if (target.kind === 'field') {
     const owner = compiler.typeOf(target.target);
@@ -57,6 +57,12 @@ function compileSetting(target, value, compiler) {
   }
   const at = compileReference(target, compiler);
   const fit = fitting(type);
+  if (type.kind === 'PATH' && type.header && from.kind === 'STRUCTURE')
+    return (m, f) => {
+      const header = fit(value(m, f), m);
+      const { holder, key } = at(m, f);
+      record(holder[key]).header = header;
+    };
   return (m, f) => {
     const fitted = fit(value(m, f), m);
     const { holder, key } = at(m, f);

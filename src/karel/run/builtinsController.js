@@ -172,7 +172,7 @@ export const CONTROLLER = {
   SEMA_COUNT: ([index], { state }) => state.semaphores[number(index)] ?? 0,
 
   GET_TIME: ([target], { state }) => put(target, Math.trunc(state.time / 2000)),
-  GET_USEC_TIM: ([target], { state }) => put(target, Math.trunc(state.time * 10 ** 3) | 0),
+  GET_USEC_TIM: (_, { state }) => Math.trunc(state.time * 10 ** 3) | 0,
 
   IO_STATUS: ([file]) => record(held(file)).status ?? 0,
   CLR_IO_STAT: ([file]) => void (record(held(file)).status = 0),

@@ -40,7 +40,12 @@ function emitStep(compiler) {
 function compileStatement(statement, compiler) {
   switch (statement.kind) {
     case 'assign':
-      return compileAssignment(statement.target, compileExpression(statement.value, compiler), compiler);
+      return compileAssignment(
+        statement.target,
+        compileExpression(statement.value, compiler),
+        compiler,
+        compiler.typeOf(statement.value),
+      );
     case 'call':
       return compileCallStatement(statement, compiler);
     case 'if':

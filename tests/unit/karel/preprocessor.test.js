@@ -75,6 +75,19 @@ test('a file is included, its names hold afterwards, and a fault in it is told w
   expect(diagnostics).toMatchObject([{ span: { line: 3, file: 'a.klh' } }]);
 });
 
+test.for(['inc/a.h', String.raw`inc\a.h`, 'INC/A.H', 'a.h', 'inc/a.h.kl'])(
+  'of "%s" the end .kl may be left out',
+  (name) => {
+    const text = `PROGRAM p\n%INCLUDE ${name}\nBEGIN\nWRITE(n, CR)\nEND p`;
+    const told = (/** @type {Record<string, string>} */ files) => {
+      const { tree, diagnostics, hasGaps } = parseKarel(text, { files });
+      return [...diagnostics, ...checkKarel(tree, { files, hasGaps })].map(({ code }) => code);
+    };
+    expect(told({ 'src/inc/a.h.kl': 'CONST n = 1' })).toEqual([]);
+    expect(told({ 'src/ba.h.kl': 'CONST n = 1' })).not.toEqual([]);
+  },
+);
+
 test.for(
   /** @type {[string, RegExp][]} */ ([
     ["%class c('a.klc','a.klh')", /%class c of "a.klc"/],

@@ -1,6 +1,7 @@
 /**
  * Operators as closures, chosen once by the types of their operands. DIV truncates; MOD takes the sign of its right operand;
- * / of two INTEGERs gives a REAL (by the manual's table, not seen on a controller).
+ * / of two INTEGERs gives a REAL (by the manual's table, not seen on a controller). Sums and products of INTEGERs that do not fit
+ * go on from the other end, since public hash functions that were run on controllers rely on it.
  *
  * @import { BinaryOperator } from '../tree.js'
  * @import { Type } from '../check/types.js'
@@ -28,14 +29,16 @@ export function compileBinary(operator, left, right, leftType, rightType) {
 
 /** @param {BinaryOperator} operator @param {Evaluate} left @param {Evaluate} right @param {boolean} areWhole @returns {Evaluate} */
 function ofNumbers(operator, left, right, areWhole) {
-  const checked = areWhole ? whole : single;
   switch (operator) {
     case '+':
-      return (m, f) => checked(number(left(m, f)) + number(right(m, f)));
+      if (areWhole) return (m, f) => (number(left(m, f)) + number(right(m, f))) | 0;
+      return (m, f) => single(number(left(m, f)) + number(right(m, f)));
     case '-':
-      return (m, f) => checked(number(left(m, f)) - number(right(m, f)));
+      if (areWhole) return (m, f) => (number(left(m, f)) - number(right(m, f))) | 0;
+      return (m, f) => single(number(left(m, f)) - number(right(m, f)));
     case '*':
-      return (m, f) => checked(number(left(m, f)) * number(right(m, f)));
+      if (areWhole) return (m, f) => Math.imul(number(left(m, f)), number(right(m, f)));
+      return (m, f) => single(number(left(m, f)) * number(right(m, f)));
     case '/':
       return (m, f) => single(number(left(m, f)) / nonZero(number(right(m, f))));
     case 'DIV':

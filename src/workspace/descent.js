@@ -8,7 +8,7 @@
  *
  * @typedef {object} Descent
  * @property {Placement} placement
- * @property {(place: ArrayLike<number>, x: Float64Array, steps?: number) => number} bring  x is changed in place, inside the
+ * @property {(place: ArrayLike<number>, x: Float64Array, steps?: number, slow?: number) => number} bring  x is changed in place, inside the
  *   limits all along; answers how far the TCP is from the place in the end, m
  */
 import { createPlacement, writePlacement } from './placement.js';
@@ -76,7 +76,7 @@ export function createDescent(chain, withLimits, unbound = -1) {
 
   return {
     placement,
-    bring(place, x, steps = STEPS) {
+    bring(place, x, steps = STEPS, slow = SLOW) {
       writePlacement(placement, x);
       let off = miss(place);
       let damping = 1e-3 * scale * scale;
@@ -105,7 +105,7 @@ export function createDescent(chain, withLimits, unbound = -1) {
           x.set(next);
           off = then;
           damping = Math.max(LEAST_DAMPING * scale * scale, damping / 8);
-          if (gained < SLOW * off) break;
+          if (gained < slow * off) break;
         } else {
           damping *= 4;
           writePlacement(placement, x);

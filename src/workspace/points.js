@@ -51,6 +51,9 @@ const THERE = 1e-9;
 const SAMPLES = 4000;
 const STARTS = 24;
 
+/** The best of them goes on until nothing is gained: how far away a place is hardly tells it from those beside it. */
+const LAST = { steps: 600, gain: 1e-16 };
+
 /** Postures nearer to each other than this (rad, arm lengths) are one. */
 const SAME = 1e-4;
 
@@ -139,6 +142,11 @@ export function createPointFinder(chain, { withLimits = true, seed = 1 } = {}) {
       if (!best || arrival.off < best.off) best = arrival;
     }
     if (there.length > 0) return reached(target, listed(there), false);
+    if (best) {
+      const off = descent.bring(place, best.x, LAST.steps, LAST.gain);
+      turnInside(ranges, best.x);
+      best = { x: best.x, off, place: descent.placement.place.slice() };
+    }
     const beyond = Math.hypot(place[0] - shoulder[0], place[1] - shoulder[1], place[2] - shoulder[2]) > reach;
     return {
       isReached: false,

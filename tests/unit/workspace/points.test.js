@@ -3,6 +3,7 @@ import { describe, expect, test } from 'vitest';
 import { createChain } from '../../../src/kinematics/chain.js';
 import { transferable, workspaceJob } from '../../../src/workspace/jobs.js';
 import { createPointFinder } from '../../../src/workspace/points.js';
+import { createSampler } from '../../../src/workspace/sampler.js';
 import { oracleForward } from '../kinematics/oracle.js';
 import { publishedArm } from '../kinematics/publishedArms.js';
 import { anthropomorphic, armOf, planar } from './arms.js';
@@ -17,6 +18,24 @@ const off = (arm, q, place) => {
 };
 
 describe('a point', () => {
+  test('out of reach: no place is nearer than the nearest, which stands on the boundary and in the half-plane of the point', () => {
+    const chain = createChain(publishedArm('puma560'));
+    const { ask } = createPointFinder(chain);
+    const places = new Float32Array(3 * 10_000);
+    createSampler(chain, { seed: 7 }).fill(0, places);
+    for (const place of [[1.2, 0, 0.5], [1.5, 0, 0], [0.05, 0, 0.6], [1, 0, -0.9]]) { // prettier-ignore
+      const { distance, nearest } = ask(place);
+      const away = (/** @type {number} */ k) => Math.hypot(...place.map((value, i) => value - places[k + i]));
+      let least = Infinity;
+      for (let k = 0; k < places.length; k += 3) least = Math.min(least, away(k));
+      expect(least).toBeGreaterThan(distance - 1e-6); // places are sampled in single precision
+      expect(Math.abs(nearest[1])).toBeLessThan(1e-6);
+      const beside = (/** @type {number} */ metres) =>
+        nearest.map((value, i) => value + ((place[i] - value) / distance) * metres);
+      expect([ask(beside(-1e-5)).isReached, ask(beside(1e-5)).isReached]).toEqual([true, false]);
+    }
+  });
+
   test('inside has all its postures; outside, the nearest place', () => {
     const arm = anthropomorphic(0.4, 0.3);
     const { ask } = createPointFinder(createChain(arm));

@@ -176,9 +176,12 @@ function readSuffixes(cursor, from, start) {
   return target;
 }
 
+/** So far brackets are looked through for it: text that opens brackets and never closes them is not to take long. */
+const RANGE_AHEAD = 400;
+
 /** Whether brackets here hold `a..b`, which only MOVE ALONG knows. @param {Cursor} cursor */
 function isRange(cursor) {
-  for (let ahead = 1, depth = 0; ahead < 40; ahead++) {
+  for (let ahead = 1, depth = 0; ahead < RANGE_AHEAD; ahead++) {
     if (cursor.peek(ahead).type === 'end') return false;
     if (cursor.isSign('[', ahead) || cursor.isSign('(', ahead)) depth++;
     if (depth === 0 && cursor.isSign('..', ahead)) return true;

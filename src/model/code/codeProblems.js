@@ -65,7 +65,7 @@ function deprecated(tree) {
   return found;
 }
 
-const OFFSETS = /^(NEAR|AWAY|AXIS)$/;
+const OFFSETS = /^(NEAR|AWAY|ABOUT|AXIS)$/;
 
 const DEPRECATED =
   'MOVE is deprecated since R-30iA: a controller may refuse it, or move unexpectedly. It runs here; TP programs are to move the arm, as a new KAREL program shows.';

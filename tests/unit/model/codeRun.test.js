@@ -152,13 +152,16 @@ test('a position that was never set, and a motion that nobody defines, are refus
   expect(refused({ to: 'NEAR', by: 5, position: undefined })).toMatchObject({
     message: expect.stringContaining('uninitialised'),
   });
+  expect(refused({ to: 'ABOUT', vector: [0, 0, 0], by: 5 })).toMatchObject({
+    message: expect.stringContaining('not zero'),
+  });
   expect(refused({ to: 'AXIS', axis: 7, by: 5 })).toMatchObject({ message: expect.stringContaining('from 1 to 6') });
   expect(refused({ to: 'TO', position: [9000, 0, 0, 0, 0, 0, 0] })).toMatchObject({
     message: 'The arm does not reach this pose.',
   });
 });
 
-test('NEAR and AWAY keep off along the tool, AXIS takes one joint', () => {
+test('NEAR and AWAY keep off along the tool, ABOUT turns it about a vector of its own, AXIS takes one joint', () => {
   const doc = newDocument(firstRobot);
   const chain = compileRobot(doc.robot);
   const start = compilePosture(doc.robot, doc.posture);
@@ -176,6 +179,12 @@ test('NEAR and AWAY keep off along the tool, AXIS takes one joint', () => {
     const T_end = tcpPose(chain, endOf(effect));
     // 20 mm against the tool's z axis
     for (let i = 0; i < 3; i++) expect(T_end[12 + i]).toBeCloseTo(T[12 + i] - 0.02 * T[8 + i], 6);
+  }
+  const T_turned = tcpPose(chain, endOf({ to: 'ABOUT', vector: [0, 2, 0], by: 30 }));
+  for (let i = 0; i < 3; i++) {
+    expect(T_turned[12 + i]).toBeCloseTo(T[12 + i], 6);
+    expect(T_turned[4 + i]).toBeCloseTo(T[4 + i], 6);
+    expect(T_turned[i]).toBeCloseTo((Math.sqrt(3) / 2) * T[i] - T[8 + i] / 2, 6);
   }
   const end = endOf({ to: 'AXIS', axis: 1, by: 10 });
   expect(end[0] - start[0]).toBeCloseTo(Math.PI / 18, 9);

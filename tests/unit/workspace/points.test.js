@@ -23,7 +23,13 @@ describe('a point', () => {
     const { ask } = createPointFinder(chain);
     const places = new Float32Array(3 * 10_000);
     createSampler(chain, { seed: 7 }).fill(0, places);
-    for (const place of [[1.2, 0, 0.5], [1.5, 0, 0], [0.05, 0, 0.6], [1, 0, -0.9]]) { // prettier-ignore
+    for (const place of [
+      [1.2, 0, 0.5],
+      [1.5, 0, 0],
+      [0.05, 0, 0.6],
+      [1, 0, -0.9],
+    ]) {
+      // prettier-ignore
       const { distance, nearest } = ask(place);
       const away = (/** @type {number} */ k) => Math.hypot(...place.map((value, i) => value - places[k + i]));
       let least = Infinity;

@@ -59,12 +59,15 @@ test('the same moves come back, in every language, on twelve arms', () => {
           const { files } = write(tried.made.program);
           expectNumbers(tried.made, runCode(files).effects);
           const { moves, matches, findings } = verifyCode(tried.doc, tried.made, files);
-          // a joint that comes to its limit on the way may be past it by what decimals cost, which is found as it should be
-          if (comesToLimit(tried.made)) {
+          const errors = findings.filter(({ severity }) => severity === 'error');
+          // decimals may put a joint past the limit that it comes to on the way: that is found as such, and is the only excuse
+          if (errors.length > 0 && comesToLimit(tried.made)) {
+            expect(errors.map(({ code }) => code).sort()).toEqual(['impossible', 'moves']);
+            expect(errors.some(({ message }) => message.includes('past its limit'))).toBe(true);
             passed++;
             continue;
           }
-          expect(findings.filter(({ severity }) => severity === 'error')).toEqual([]);
+          expect(errors).toEqual([]);
           expect(matches).toBe(true);
           compared++;
           for (const { deviation, rounding } of moves) {
@@ -77,6 +80,6 @@ test('the same moves come back, in every language, on twelve arms', () => {
     // 20 programs, or 200: a longer run is ten times as many and not twenty
     { seed: SEED, numRuns: Math.max(20, runs(10)) },
   );
-  expect(passed).toBeLessThan(compared / 4);
+  expect(passed).toBeLessThan(compared / 20);
   expect(Object.keys(seen).sort()).toEqual([...ARMS].sort());
 });

@@ -9,7 +9,7 @@
  * @import { TimeLaw } from './timeLaw.js'
  */
 import { quickestProfile } from './phasePlane.js';
-import { pathMoment, pathMomentAt } from './posturePath.js';
+import { pathMoment, pathMomentAt, pieceAt } from './posturePath.js';
 import { roundedLaw } from './roundedLaw.js';
 import { derivatives, momentAt, stretched, timeAt } from './timeLaw.js';
 
@@ -65,7 +65,7 @@ function lower({ grid, ceiling, shares, own }, x, sharp, seconds, over) {
   const strength = Float64Array.from(shares, (_, i) => Math.abs(x[i + 1] - x[i]) / (2 * (grid[i + 1] - grid[i])));
   const stronger = new Float64Array(shares.length).fill(1);
   for (const { t, rate, acceleration, jerk, own: sudden } of over) {
-    const [before, now] = [t - seconds, t].map((at) => indexAt(grid, momentAt(sharp, at).position));
+    const [before, now] = [t - seconds, t].map((at) => pieceAt(grid, momentAt(sharp, at).position));
     const [first, last] = [Math.max(0, before - 1), Math.min(shares.length - 1, now + 1)];
     // the way's own jerk is the difference of two accelerations: from one to its opposite is twice as far as to none
     if (sudden > 1) for (const i of [before, now]) weaken(own, i, strength[i] / (sudden * (1 + BEYOND)));
@@ -130,17 +130,6 @@ function roundedStretches(slowed, sharp, law, seconds) {
     else found.push(own);
   }
   return found;
-}
-
-/** The last point at or before a place. @param {Float64Array} grid @param {number} s */
-function indexAt(grid, s) {
-  let [low, high] = [0, grid.length - 1];
-  while (low < high) {
-    const middle = (low + high + 1) >> 1;
-    if (grid[middle] <= s) low = middle;
-    else high = middle - 1;
-  }
-  return low;
 }
 
 /**

@@ -54,7 +54,7 @@ export function pathMomentAt({ dof, knots, coefficients: c }, s, out = pathMomen
 }
 
 /** The last piece that begins at or before s, by halving. @param {ArrayLike<number>} knots @param {number} s */
-function pieceAt(knots, s) {
+export function pieceAt(knots, s) {
   let [low, high] = [0, knots.length - 2];
   while (low < high) {
     const middle = (low + high + 1) >> 1;

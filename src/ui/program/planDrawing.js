@@ -13,6 +13,9 @@ import { svg } from '../parts/svg.js';
 /** px; left: numbers of the scales; right: names of the curves. */
 export const EDGE = { left: 62, right: 40 };
 const HEIGHT = { strip: 26, overlay: 132, speed: 56, axis: 20, gap: 6 };
+/** Characters of an extent that have room beside its strip. */
+const WIDEST = 8;
+
 const TICK_ROOM = { time: 64, value: 34 };
 const NAME_STEP = 12;
 
@@ -114,7 +117,7 @@ function frameOf(top, width, height, range, y, extent) {
     return [
       line(top),
       ...(range[0] < 0 && range[1] > 0 ? [zeroLine(y(0), width)] : []),
-      number(extentOf(extent), top + height / 2),
+      ...linesOf(extentOf(extent)).map((text, i, { length }) => number(text, top + ((i + 1 / 2) * height) / length)),
     ];
   }
   return [
@@ -122,6 +125,9 @@ function frameOf(top, width, height, range, y, extent) {
     ...ticksOf(range, height / TICK_ROOM.value).flatMap((tick) => [line(round(y(tick))), number(plain(tick), y(tick))]),
   ];
 }
+
+/** What has room beside a strip: more is the largest above the least, so that no digit is lost at the edge. @param {string} extent @returns {string[]} */
+export const linesOf = (extent) => (extent.length > WIDEST ? extent.split('…').reverse() : [extent]);
 
 /** "−32…58", with the digits that tell its ends apart. @param {Float64Array} values */
 export function extentOf(values) {

@@ -1,7 +1,7 @@
 /** What plots of a program are made of: scales that hold their curves, round ticks, and the rows of the table beside them. */
 import fc from 'fast-check';
 import { expect, test } from 'vitest';
-import { extentOf, rowHeights } from '../../../src/ui/program/planDrawing.js';
+import { extentOf, linesOf, rowHeights } from '../../../src/ui/program/planDrawing.js';
 import { rangeOf, ticksOf } from '../../../src/ui/program/planScale.js';
 import { rowTimes } from '../../../src/ui/program/planTable.js';
 import { SEED, runs } from '../../helpers/property.js';
@@ -80,6 +80,9 @@ test('rows of the table are at every mark, evenly between, in order, none twice,
 test('a strip says how far its curve goes with the digits that tell its ends apart; strips are rows of their own', () => {
   expect(extentOf(Float64Array.of(-32.4, 57.6))).toBe('−32…58');
   expect(extentOf(Float64Array.of(0.01, 0.052))).toBe('0.010…0.052');
+  expect(linesOf(extentOf(Float64Array.of(-32.4, 57.6)))).toEqual(['−32…58']);
+  expect(linesOf(extentOf(Float64Array.of(-35266, 35260)))).toEqual(['35260', '−35266']); // side by side they would be cut off
+  expect(linesOf(extentOf(Float64Array.of(-192, -167)))).toEqual(['−167', '−192']);
   expect(extentOf(Float64Array.of(5, 5))).toBe('5.0');
   const columns = [column([1]), column([2])];
   expect(rowHeights({ columns, isStrips: true }).rows).toHaveLength(2);

@@ -25,7 +25,8 @@ export function compileMove({ target, settings = [], nowait, when = [], until = 
   const parts = Object.entries(target).flatMap(([name, node]) =>
     name === 'to' || name === 'path' ? [] : [[name, compileExpression(/** @type {Expression} */ (node), compiler)]],
   );
-  const isJoint = 'position' in target && compiler.typeOf(target.position).kind === 'JOINTPOS';
+  const place = 'position' in target ? target.position : target.to === 'RELATIVE' ? target.by : null;
+  const isJoint = place && compiler.typeOf(place).kind === 'JOINTPOS';
   if (target.to === 'ALONG') {
     const { path } = target;
     const at = compileReference(path.kind === 'range' ? path.target : path, compiler);
@@ -63,7 +64,7 @@ export function compileMove({ target, settings = [], nowait, when = [], until = 
       settings: Object.fromEntries(named.map(([name, value]) => [name, value(machine, frame)])),
     };
     for (const [name, value] of parts) effect[name] = copied(value(machine, frame));
-    if ('position' in target) effect.isJoint = isJoint;
+    if (place) effect.isJoint = isJoint;
     if (nowait) effect.nowait = true;
     machine.effect = effect;
     const motion = beginMotion(state.arm, effect, state.time);

@@ -14,12 +14,13 @@
  * @property {number} current                             the motion that has the arm; 0: none
  * @property {readonly number[]} posture
  *
- * @typedef {{ reason: string, isRefusal?: boolean } | { missing: readonly string[] }} Begun
+ * @typedef {{ reason: string, isRefusal?: boolean } | { missing: readonly string[], assumed?: string }} Begun   assumed: what the motion is taken to be
  */
 import { endMotion, takeTime } from '../../karel/run/arm.js';
 import { postureAt } from '../program/planPosture.js';
 import { fromMilliseconds, toMilliseconds } from '../units.js';
 import { planOfMove } from './codeMoves.js';
+import { ASSUMED } from './codeOffsets.js';
 
 /** Degrees or the document's lengths: a posture is where a motion was stopped. */
 const SAME = 1e-6;
@@ -61,7 +62,7 @@ export function createCodeMotions(docNow, runNow) {
     takeTime(run.state(), toMilliseconds(planned.plan.duration));
     plans = new Map(plans).set(motion.number, { plan: planned.plan, start });
     current = motion.number;
-    return { missing: planned.missing };
+    return { missing: planned.missing, assumed: ASSUMED[String(effect.to)] };
   }
 
   return {

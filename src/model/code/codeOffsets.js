@@ -1,7 +1,6 @@
 /**
- * MOVE NEAR, AWAY, ABOUT and AXIS of KAREL as moves to a place: NEAR stops before a position, against the way its tool points, AWAY draws back
- * so from where the arm is, ABOUT turns the tool about a vector of its own frame, AXIS turns or shifts one joint. No controller has confirmed this;
- * what RELATIVE refers to is not published.
+ * MOVE NEAR, AWAY, RELATIVE, ABOUT and AXIS of KAREL as moves to a place. No controller has confirmed what they mean: `ASSUMED` says
+ * how they are taken here, and whoever writes or runs one is told.
  *
  * @import { SystemValues } from './codeFrames.js'
  * @import { Doc } from '../document.js'
@@ -14,15 +13,23 @@ import { postureFromKernel } from '../compile.js';
 import { pendantValues } from '../controller/controllerValues.js';
 import { positionForCode } from './codeFrames.js';
 
+/** @type {Readonly<Record<string, string>>} */
+export const ASSUMED = {
+  NEAR: 'MOVE NEAR is taken to stop so far before the position, against its z axis. This is not verified.',
+  AWAY: 'MOVE AWAY is taken to draw the tool back so far against its own z axis. This is not verified.',
+  RELATIVE:
+    'MOVE RELATIVE is taken to shift the tool by a VECTOR along the axes of the user frame, without turning it, and by a position in the frame of the tool itself. This is not verified.',
+  ABOUT: 'MOVE ABOUT is taken to turn the tool about a vector in its own frame. This is not verified.',
+  AXIS: 'MOVE AXIS is taken to turn or shift one joint by so much as the pendant counts it. This is not verified.',
+};
+
 /** A Cartesian position as KAREL has it. */
 const SLOTS = 10;
 
 /** @param {Doc} doc @param {Float64Array} start @param {Effect} effect @param {SystemValues} system @returns {Effect | { message: string }} */
 export function asPlainMove(doc, start, effect, system) {
-  const { to, by, axis, position, isJoint, vector } = effect;
+  const { to, by, axis, position, isJoint } = effect;
   if (to === 'TO' || to === 'ALONG') return effect;
-  if (to === 'RELATIVE')
-    return { message: `MOVE ${to} is not simulated here, since nothing published says in which frame it is meant.` };
   const posture = postureFromKernel(doc.robot, start);
   if (to === 'AXIS') {
     const joints = pendantValues(doc.robot, posture);
@@ -30,20 +37,33 @@ export function asPlainMove(doc, start, effect, system) {
     if (value === undefined) return { message: `Expected an axis from 1 to ${joints.length}, got ${String(axis)}.` };
     return { ...effect, to: 'TO', isJoint: true, position: joints.with(Number(axis) - 1, value + Number(by)) };
   }
-  if (isJoint) return { message: 'MOVE NEAR takes a Cartesian position here, got joint values.' };
-  const here = to === 'AWAY' || to === 'ABOUT' ? positionForCode({ ...doc, posture }, system, false) : position;
-  if (!Array.isArray(here) || here.slice(0, 6).some((one) => typeof one !== 'number'))
-    return { ...effect, to: 'TO', position: undefined };
-  const whole = Array.from({ length: SLOTS }, (_, i) => Number(here[i] ?? 0));
-  const goal =
-    to === 'ABOUT' ? turnedAbout(whole, vector, Number(by)) : composed(whole, [0, 0, -Number(by), 0, 0, 0, 0, 0, 0, 0]);
-  if (!goal) return { message: 'MOVE ABOUT takes a vector that is not zero.' };
-  return { ...effect, to: 'TO', isJoint: false, position: [...goal.slice(0, 6), ...whole.slice(6)] };
+  if (isJoint) return { message: `MOVE ${to} takes a Cartesian position here, got joint values.` };
+  const here = wholePosition(to === 'NEAR' ? position : positionForCode({ ...doc, posture }, system, false));
+  if (!here) return { ...effect, to: 'TO', position: undefined };
+  const goal = goalFrom(here, effect);
+  if ('message' in goal) return goal;
+  return { ...effect, to: 'TO', isJoint: false, position: [...goal.slice(0, 6), ...here.slice(6)] };
 }
 
-/** @param {readonly number[]} position @param {unknown} vector  as the tool has it @param {number} angle  degrees */
-function turnedAbout(position, vector, angle) {
-  const axis = Array.isArray(vector) ? vector.map(Number) : [];
-  if (axis.length !== 3 || !(Math.hypot(...axis) > 0)) return null;
-  return positionOf(compose(poseOf(position), poseFromAxisAngle([0, 0, 0], axis, radians(angle))), 0);
+/** @param {unknown} value @returns {number[] | null} null: a part of it was never set */
+function wholePosition(value) {
+  if (!Array.isArray(value) || !areNumbers(value.slice(0, 6), 6)) return null;
+  return Array.from({ length: SLOTS }, (_, i) => Number(value[i] ?? 0));
+}
+
+/** @param {unknown} values @param {number} count @returns {values is number[]} */
+const areNumbers = (values, count) =>
+  Array.isArray(values) && values.length === count && values.every((one) => typeof one === 'number');
+
+/** @param {number[]} here @param {Effect} effect @returns {readonly number[] | { message: string }} */
+function goalFrom(here, { to, by, vector }) {
+  if (to === 'ABOUT') {
+    if (!areNumbers(vector, 3) || !(Math.hypot(...vector) > 0))
+      return { message: 'MOVE ABOUT takes a vector that is not zero.' };
+    return positionOf(compose(poseOf(here), poseFromAxisAngle([0, 0, 0], vector, radians(Number(by)))), 0);
+  }
+  if (to !== 'RELATIVE') return composed(here, [0, 0, -Number(by), 0, 0, 0, 0, 0, 0, 0]);
+  if (areNumbers(by, 3)) return here.map((value, i) => value + (by[i] ?? 0));
+  const offset = wholePosition(by);
+  return offset ? composed(here, offset) : { message: 'MOVE RELATIVE takes a vector or a position that has been set.' };
 }

@@ -12,6 +12,7 @@ import { isKrlData, parseKrl } from '../../karel/krl/parser.js';
 import { parseKarel } from '../../karel/parser.js';
 import { checkTp } from '../../karel/tp/checker.js';
 import { parseTp } from '../../karel/tp/parser.js';
+import { ASSUMED } from './codeOffsets.js';
 
 /** More than a person reads. */
 const MOST_PROBLEMS = 200;
@@ -56,16 +57,15 @@ function deprecated(tree) {
     if (typeof node !== 'object' || node === null) return;
     const { kind, span, target } = /** @type {Partial<Move> & { span?: Diagnostic['span'] }} */ (node);
     if (kind === 'move' && span) {
-      const doubt = OFFSETS.test(target?.to ?? '') ? ` What ${target?.to} means is not verified.` : '';
-      found.push({ severity: 'warning', code: 'deprecated-move', message: DEPRECATED + doubt, span });
+      const assumed = ASSUMED[target?.to ?? ''];
+      const message = assumed ? `${DEPRECATED} ${assumed}` : DEPRECATED;
+      found.push({ severity: 'warning', code: 'deprecated-move', message, span });
     }
     for (const [name, inner] of Object.entries(node)) if (name !== 'span') look(inner);
   };
   look(tree);
   return found;
 }
-
-const OFFSETS = /^(NEAR|AWAY|ABOUT|AXIS)$/;
 
 const DEPRECATED =
   'MOVE is deprecated since R-30iA: a controller may refuse it, or move unexpectedly. It runs here; TP programs are to move the arm, as a new KAREL program shows.';

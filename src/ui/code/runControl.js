@@ -124,7 +124,8 @@ export function createRunControl({ store, clock, announce, messages }, { onChang
   /** @param {Begun} begun @param {number} at  its line @returns {boolean} */
   function began(begun, at) {
     if ('missing' in begun) {
-      for (const frame of begun.missing) if (!said.includes(CODE.noFrame(frame))) say(CODE.noFrame(frame));
+      const notes = [...begun.missing.map(CODE.noFrame), begun.assumed ?? ''];
+      for (const note of notes) if (note && !said.includes(note)) say(note);
       return true;
     }
     const { reason, isRefusal } = begun;

@@ -146,8 +146,11 @@ test('a position that was never set, and a motion that nobody defines, are refus
   expect(refused({ to: 'TO', position: undefined })).toMatchObject({
     message: expect.stringContaining('uninitialised'),
   });
-  expect(refused({ to: 'RELATIVE', by: [0, 0, 5] })).toMatchObject({
-    message: expect.stringContaining('MOVE RELATIVE'),
+  expect(refused({ to: 'RELATIVE', by: [0, undefined, 5] })).toMatchObject({
+    message: 'MOVE RELATIVE takes a vector or a position that has been set.',
+  });
+  expect(refused({ to: 'RELATIVE', by: [0, 0, 5, 0, 0, 0], isJoint: true })).toMatchObject({
+    message: expect.stringContaining('got joint values'),
   });
   expect(refused({ to: 'NEAR', by: 5, position: undefined })).toMatchObject({
     message: expect.stringContaining('uninitialised'),
@@ -161,7 +164,7 @@ test('a position that was never set, and a motion that nobody defines, are refus
   });
 });
 
-test('NEAR and AWAY keep off along the tool, ABOUT turns it about a vector of its own, AXIS takes one joint', () => {
+test('NEAR and AWAY keep off along the tool, RELATIVE shifts or composes, ABOUT turns about a vector of the tool, AXIS takes one joint', () => {
   const doc = newDocument(firstRobot);
   const chain = compileRobot(doc.robot);
   const start = compilePosture(doc.robot, doc.posture);
@@ -185,6 +188,14 @@ test('NEAR and AWAY keep off along the tool, ABOUT turns it about a vector of it
     expect(T_turned[12 + i]).toBeCloseTo(T[12 + i], 6);
     expect(T_turned[4 + i]).toBeCloseTo(T[4 + i], 6);
     expect(T_turned[i]).toBeCloseTo((Math.sqrt(3) / 2) * T[i] - T[8 + i] / 2, 6);
+  }
+  const T_shifted = tcpPose(chain, endOf({ to: 'RELATIVE', by: [0, -30, -20] }));
+  const T_composed = tcpPose(chain, endOf({ to: 'RELATIVE', by: [0, -30, -20, 0, 30, 0, 0, 0, 0, 0], isJoint: false }));
+  for (let i = 0; i < 3; i++) {
+    expect(T_shifted[12 + i]).toBeCloseTo(T[12 + i] + [0, -0.03, -0.02][i], 6);
+    expect(T_composed[12 + i]).toBeCloseTo(T[12 + i] - 0.03 * T[4 + i] - 0.02 * T[8 + i], 6);
+    expect(T_shifted[i]).toBeCloseTo(T[i], 6);
+    expect(T_composed[i]).toBeCloseTo(T_turned[i], 6);
   }
   const end = endOf({ to: 'AXIS', axis: 1, by: 10 });
   expect(end[0] - start[0]).toBeCloseTo(Math.PI / 18, 9);

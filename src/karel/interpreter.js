@@ -11,9 +11,8 @@
  * @import { Fragment, Program } from './tree.js'
  * @import { Diagnostic } from './parse/cursor.js'
  * @import { Effect, Host, Idle, Machine, State } from './run/machine.js'
+ * @import { AlarmText } from './run/values.js'
  *
- * @typedef {{ code: string, reason: string, line: number, routine: string }} AlarmText
- * @typedef {Effect & { alarm: AlarmText }} AlarmEffect
  * @typedef {object} Outcome
  * @property {'ended' | 'aborted' | 'alarm' | 'budget' | 'refused'} status
  * @property {State} state
@@ -24,9 +23,10 @@ import { Alarm, copiedState } from './run/values.js';
 import { link } from './run/link.js';
 import { firstGlobals } from './run/programs.js';
 import { firstSystem } from './run/systemVariables.js';
+import { abortTask } from './run/endings.js';
 import { newTask, nextTask } from './run/tasks.js';
 import { newArm } from './run/arm.js';
-import { scanHandlers } from './run/handlers.js';
+import { scanHandlers } from './run/occurrences.js';
 import {
   currentLine,
   DEFAULT_STEPS,
@@ -105,13 +105,19 @@ export function* runTurns(machine) {
   while (true) {
     scan(machine);
     const { state } = machine;
+    const failed = state.tasks.findIndex(({ status, fault }) => fault && status === 'ended');
+    if (failed >= 0) {
+      const { name, fault } = state.tasks[failed];
+      delete state.tasks[failed].fault;
+      const alarm = /** @type {AlarmText} */ (fault);
+      if (failed === 0) return { status: 'alarm', state, alarm };
+      yield { kind: 'alarm', task: name, line: alarm.line, alarm };
+    }
     if (state.steps >= most) return { status: 'budget', state };
     const turn = nextTask(state);
     if (turn >= 0) {
       state.current = turn;
       const effect = runTurn(machine, most - state.steps);
-      if (effect?.kind === 'alarm' && turn === 0)
-        return { status: 'alarm', state: machine.state, alarm: /** @type {AlarmEffect} */ (effect).alarm };
       if (effect) yield effect;
       continue;
     }
@@ -131,16 +137,14 @@ function runTurn(machine, most) {
     if (how === 'slice') return { kind: 'turn', line: currentLine(machine) };
     if (how !== 'over') return effect;
     task.status = 'ended';
-    task.isAborted = effect?.kind === 'abort';
     return null;
   } catch (alarm) {
     if (!(alarm instanceof Alarm)) throw alarm;
-    task.status = 'ended';
-    task.isAborted = true;
     const frame = task.frames.at(-1);
     const routine = frame ? machine.image.codes[frame.code].name : '';
     const line = currentLine(machine);
-    return { kind: 'alarm', task: task.name, line, alarm: { code: alarm.code, reason: alarm.message, line, routine } };
+    abortTask(machine, machine.state.current, { code: alarm.code, reason: alarm.message, line, routine });
+    return null;
   }
 }
 

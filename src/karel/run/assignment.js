@@ -10,7 +10,7 @@ import { isNumber, isPosition, UNKNOWN } from '../check/types.js';
 import { emitPlain } from './emit.js';
 import { compileReference } from './expressions.js';
 import { asPosition, CONFIG_BITS } from './positions.js';
-import { copied, list, number, numbers, record, text, truth } from './values.js';
+import { clipped, copied, list, number, numbers, record, text, truth } from './values.js';
 
 /** @param {Designator} target @param {Evaluate} value @param {Compiler} compiler @param {Type} [from]  what the value is */
 export function compileAssignment(target, value, compiler, from = UNKNOWN) {
@@ -65,18 +65,17 @@ function compileSetting(target, value, compiler, from) {
     };
   return (m, f) => {
     const fitted = fit(value(m, f), m);
-    const { holder, key } = at(m, f);
+    const { holder, key, most } = at(m, f);
     if (type.kind === 'ARRAY' && Array.isArray(holder[key]) && Array.isArray(fitted)) {
       for (const i of /** @type {unknown[]} */ (holder[key]).keys())
-        /** @type {unknown[]} */ (holder[key])[i] = fitted[i];
-    } else holder[key] = fitted;
+        /** @type {unknown[]} */ (holder[key])[i] = clipped(fitted[i], most);
+    } else holder[key] = clipped(fitted, most);
   };
 }
 
 /** @param {Type} type @returns {(value: unknown, machine: Machine) => unknown} */
 function fitting(type) {
-  const { length = Infinity } = type;
-  if (type.kind === 'STRING') return (value) => text(value).slice(0, length);
+  if (type.kind === 'STRING') return text;
   if (type.kind === 'REAL') return (value) => Math.fround(number(value));
   if (type.kind === 'INTEGER') return number;
   if (type.kind === 'BOOLEAN') return truth;

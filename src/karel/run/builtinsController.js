@@ -4,6 +4,8 @@
  * @import { Builtin, Machine } from './machine.js'
  */
 import { held, put } from './builtinsMath.js';
+import { abortTask } from './endings.js';
+import { scanHandlers } from './occurrences.js';
 import { asPosition, isJoints } from './positions.js';
 import { Alarm, copied, list, number, numbers, record, single, text } from './values.js';
 
@@ -66,6 +68,9 @@ const parameterOf = ([index, type, integer, real, string, status], { state }) =>
   if (kind === 'string') put(string, value);
   else put(isWhole ? integer : real, isWhole ? value : single(number(value)));
 };
+
+/** Of POST_ERR. */
+const ABORTS = 2;
 
 /** Where the arm has no posture; the number of a controller is not known. */
 const NO_POSTURE = 15018;
@@ -188,7 +193,10 @@ export const CONTROLLER = {
     put(status, isThere ? 0 : 2014);
   },
   POST_ERR: ([code, message, , severity], machine) => {
-    machine.effect = { kind: 'error', code: number(code), message: text(message), severity: number(severity) };
+    const posted = { code: number(code), message: text(message), severity: number(severity) };
+    machine.effect = { kind: 'error', ...posted };
+    scanHandlers(machine, { name: 'ERROR', number: posted.code });
+    if (posted.severity === ABORTS) abortTask(machine, machine.state.current);
   },
   MSG_CONNECT: ([, status]) => put(status, 0),
   MSG_DISCO: ([, status]) => put(status, 0),

@@ -6,7 +6,7 @@
  */
 import { convertedReal, convertedWhole } from './format.js';
 import { axisOf, configOf, configText, degrees, frameOf, inverted, radians } from './positions.js';
-import { Alarm, copied, list, number, numbers, record, single, text, whole } from './values.js';
+import { Alarm, clipped, copied, list, number, numbers, record, single, text, whole } from './values.js';
 
 /** @param {(x: number) => number} f @returns {Builtin} */
 const real =
@@ -23,8 +23,8 @@ const within =
   };
 
 export const put = (/** @type {unknown} */ reference, /** @type {Value} */ value) => {
-  const { holder, key } = /** @type {Reference} */ (reference);
-  if (holder) holder[key] = value;
+  const { holder, key, most } = /** @type {Reference} */ (reference);
+  if (holder) holder[key] = clipped(value, most);
 };
 export const held = (/** @type {unknown} */ reference) => {
   const { holder, key } = /** @type {Reference} */ (reference);

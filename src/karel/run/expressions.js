@@ -7,6 +7,7 @@
  * @import { Evaluate, Locate } from './machine.js'
  * @import { RoutineSymbol } from '../check/declarations.js'
  * @import { Reference } from './values.js'
+ * @import { Type } from '../check/types.js'
  */
 import { isPort } from '../ports.js';
 import { PREDEFINED, PREDEFINED_FILES } from '../check/constants.js';
@@ -130,6 +131,20 @@ function compileReading(node, compiler) {
 
 /** Where a variable is. @param {Designator | Call} node @param {Compiler} compiler @returns {Locate} */
 export function compileReference(node, compiler) {
+  const at = placeOf(node, compiler);
+  const most = longestOf(compiler.typeOf(node));
+  if (most === undefined) return at;
+  return (m, f) => {
+    const { holder, key } = at(m, f);
+    return { holder, key, most };
+  };
+}
+
+/** Characters of a string, or of those of an array. @param {Type} type @returns {number | undefined} */
+const longestOf = ({ kind, length, of }) => (kind === 'ARRAY' && of ? longestOf(of) : length);
+
+/** @param {Designator | Call} node @param {Compiler} compiler @returns {Locate} */
+function placeOf(node, compiler) {
   switch (node.kind) {
     case 'call': {
       const value = compileExpression(node, compiler);

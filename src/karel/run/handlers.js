@@ -1,16 +1,15 @@
 /**
- * Conditions and condition handlers, global ones and those of a MOVE: what is watched, and what runs when it is met. A handler is
- * disabled when it fires.
+ * Conditions and condition handlers, global ones and those of a MOVE, as code: what is watched, and what runs when it is met.
  *
  * @import { Body, Clause, Conditions, Statement, Term } from '../tree.js'
  * @import { Compiler } from './compiler.js'
- * @import { Code, ConditionTest, Machine, Occurred, State } from './machine.js'
+ * @import { Code, ConditionTest, State } from './machine.js'
  */
-import { cancelMotion, isUnderWay } from './arm.js';
 import { createCompiler } from './compiler.js';
 import { emitPlain } from './emit.js';
 import { compileExpression, compileReference } from './expressions.js';
-import { pushFrame, returnNothing } from './machine.js';
+import { returnFromActions } from './machine.js';
+import { CANCELS } from './occurrences.js';
 import { Alarm, number, truth } from './values.js';
 
 /** @param {Conditions} conditions @param {Compiler} compiler @returns {ConditionTest} */
@@ -69,15 +68,13 @@ export function compileClauses(clauses, cancels, compiler, compileBody) {
     image.codes.push(code);
     const index = image.codes.length - 1;
     compileBody(clause.actions, inner);
-    inner.emit(returnNothing);
+    inner.emit(returnFromActions);
     code.slots = inner.slots();
     return index;
   });
-  return image.handlers.push({ conditions, actions: [...actions, ...cancels.map(() => CANCELS)] }) - 1;
+  const lines = conditions.map((_, i) => clauses[i]?.span?.line ?? compiler.line);
+  return image.handlers.push({ conditions, actions: [...actions, ...cancels.map(() => CANCELS)], lines }) - 1;
 }
-
-/** Instead of actions: the motion is cancelled. */
-const CANCELS = -1;
 
 /** @param {Extract<Statement, { kind: 'condition' }>} statement @param {Compiler} compiler @param {CompileBody} compileBody */
 export function compileHandler({ number: node, clauses }, compiler, compileBody) {
@@ -113,38 +110,4 @@ export function compileHandlerControl({ action, number: node }, compiler) {
     if (action === 'ENABLE') found.before = found.before.map(() => []);
     if (action === 'PURGE') state.handlers.splice(state.handlers.indexOf(found), 1);
   });
-}
-
-/** Those of a MOVE, watched for as long as it is under way; once it is stopped they are not. @param {Machine} machine @param {number} handler @param {number} motion */
-export function watchMotion({ state, image }, handler, motion) {
-  state.handlers.push({
-    ...{ number: 0, task: state.current, handler, isEnabled: true, motion },
-    before: image.handlers[handler].conditions.map(() => []),
-    depth: state.tasks[state.current].frames.length - 1,
-  });
-}
-
-/** Handlers whose conditions are met fire: they are disabled, and their actions run as an interrupt of their task. @param {Machine} machine @param {Occurred | null} event */
-export function scanHandlers(machine, event) {
-  const { state, image } = machine;
-  const { arm } = state;
-  if (state.handlers.some(({ motion }) => motion !== undefined && !isUnderWay(arm, motion)))
-    state.handlers = state.handlers.filter(({ motion }) => motion === undefined || isUnderWay(arm, motion));
-  for (const handler of state.handlers) {
-    if (!handler.isEnabled || (handler.motion !== undefined && handler.motion !== arm.motion?.number)) continue;
-    const task = state.tasks[handler.task];
-    const frame = task?.frames[handler.depth ?? 0] ?? task?.frames[0];
-    if (!task || task.status === 'ended' || !frame) continue;
-    const { conditions, actions } = image.handlers[handler.handler];
-    machine.globals = state.globals[image.codes[frame.code].program];
-    for (const [i, isMet] of conditions.entries()) {
-      if (!isMet(machine, frame, handler.before[i], event)) continue;
-      handler.isEnabled = false;
-      if (actions[i] === CANCELS) cancelMotion(arm);
-      else pushFrame(machine, task, actions[i], [], -1);
-      // What interrupts does not wait for what it interrupts; the wait is looked at again afterwards.
-      task.wake = Math.min(task.wake, state.time);
-      break;
-    }
-  }
 }

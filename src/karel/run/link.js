@@ -5,6 +5,7 @@
  * @import { Program, Statement } from '../tree.js'
  * @import { RoutineSymbol } from '../check/declarations.js'
  * @import { Compiler, Linker } from './compiler.js'
+ * @import { Diagnostic } from '../parse/cursor.js'
  * @import { Code, Host, Instruction, Machine } from './machine.js'
  * @import { Value } from './values.js'
  */
@@ -63,7 +64,13 @@ function* addProgram(tree, linker) {
   };
   begin(analysis.program.name, null, analysis.program.body);
   for (const symbol of routines) if (symbol.kind === 'routine') begin(symbol.name, symbol, symbol.node?.body ?? []);
+  const fault = analysis.diagnostics.find(({ severity }) => severity === 'error');
   for (const [code, compiler, body] of bodies) {
+    if (fault) {
+      code.lines.push(fault.span.line);
+      code.instructions.push(() => faulty(analysis.program.name, fault));
+      continue;
+    }
     yield* inPieces(body, (piece) => compileBody(piece, compiler));
     const needsValue = compiler.routine && compiler.routine.returns.kind !== 'NOTHING';
     compiler.line = 0;
@@ -71,6 +78,11 @@ function* addProgram(tree, linker) {
     code.slots = Math.max(code.slots, compiler.slots());
   }
   return index;
+}
+
+/** @param {string} program @param {Diagnostic} fault @returns {never} */
+function faulty(program, { span, message }) {
+  throw new Alarm(`the program "${program}" has an error in line ${span.line}: ${message}`, 'faulty');
 }
 
 /** @type {Instruction} */

@@ -4,7 +4,7 @@
  *
  * @import { Program } from '../tree.js'
  * @import { Analysis } from '../check/analysis.js'
- * @import { Reference, Value } from './values.js'
+ * @import { AlarmText, Reference, Value } from './values.js'
  * @import { Arm } from './arm.js'
  *
  * @typedef {(machine: Machine, frame: Frame) => number} Instruction  gives the next program counter, or one of the marks below
@@ -22,7 +22,17 @@
  * @property {Value[]} locals
  * @property {number} result         where in the caller's locals
  * @property {boolean} [isCalling]   a program that runs elsewhere, and waits for its end
- * @typedef {{ name: string, frames: Frame[], wake: number, status: 'running' | 'paused' | 'ended', isAborted?: boolean }} Task
+ *
+ * @typedef {object} Task
+ * @property {string} name
+ * @property {Frame[]} frames
+ * @property {number} wake
+ * @property {'running' | 'paused' | 'ended'} status
+ * @property {boolean} [isAborted]
+ * @property {AlarmText} [fault]    why it ends, until that is told
+ * @property {number} [ending]      it ends, once what its handlers do is done: so many frames are below that
+ * @property {boolean} [noAbort]    NOABORT was said
+ * @property {boolean} [noPause]    NOPAUSE, UNPAUSE or CONTINUE was said
  *
  * @typedef {object} Handler
  * @property {number} number
@@ -57,9 +67,9 @@
  * @typedef {{ kind: string, line?: number, [detail: string]: unknown }} Effect
  * @typedef {{ kind: 'idle', until: number, line: number, [detail: string]: unknown }} Idle  whoever says so has nothing to do until then
  * @typedef {{ codes: Code[], handlers: CompiledHandler[], entries: Record<string, number> }} Image
- * @typedef {{ conditions: ConditionTest[], actions: number[] }} CompiledHandler  actions: codes, or CANCELS
+ * @typedef {{ conditions: ConditionTest[], actions: number[], lines: number[] }} CompiledHandler  actions: codes, or CANCELS
  * @typedef {(machine: Machine, frame: Frame, before: boolean[], event: Occurred | null) => boolean} ConditionTest
- * @typedef {{ name: string, number: number }} Occurred
+ * @typedef {{ name: string, number: number, task?: number }} Occurred  task: whose handlers alone it concerns
  *
  * @typedef {(machine: Machine, frame: Frame) => Value} Evaluate
  * @typedef {(machine: Machine, frame: Frame) => Reference} Locate
@@ -199,6 +209,18 @@ export function* finishMotion(state, name) {
       ...(name && { in: name }),
     };
   }
+}
+
+/** The actions of a handler are over, and with them the task, if it was ending. @type {Instruction} */
+export function returnFromActions(machine) {
+  const task = machine.state.tasks[machine.state.current];
+  task.frames.pop();
+  if (task.frames.length === 0) return OVER;
+  if (task.ending === undefined || task.frames.length > task.ending) return SWITCH;
+  delete task.ending;
+  if (task.fault || !task.noAbort) return OVER;
+  task.isAborted = false;
+  return SWITCH;
 }
 
 /** @type {Instruction} */

@@ -14,8 +14,9 @@
 import { expressionText } from '../expressionPrinter.js';
 import { advanceArm, beginMotion, controlMotion, isUnderWay, nextOfArm } from './arm.js';
 import { compileExpression, compileReference } from './expressions.js';
-import { compileClauses, watchMotion } from './handlers.js';
+import { compileClauses } from './handlers.js';
 import { HALT, SCAN } from './machine.js';
+import { watchMotion } from './occurrences.js';
 import { copied, number, record } from './values.js';
 
 /** @param {Move} move @param {Compiler} compiler @param {CompileBody} compileBody */

@@ -30,7 +30,8 @@ export function elementAt(at, places, kind) {
   const isPath = kind === 'PATH';
   const isSystem = kind === 'UNKNOWN';
   return (m, f) => {
-    let { holder, key } = at(m, f);
+    const { most, ...whole } = at(m, f);
+    let { holder, key } = whole;
     for (const place of places) {
       const index = number(place(m, f));
       if (isSystem) {
@@ -41,7 +42,7 @@ export function elementAt(at, places, kind) {
       holder = asRecord(values);
       key = indexIn(index, values.length);
     }
-    return { holder, key };
+    return { holder, key, most };
   };
 }
 

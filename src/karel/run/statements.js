@@ -7,9 +7,11 @@
 import { compileAssignment } from './assignment.js';
 import { emitEffect, emitPlain } from './emit.js';
 import { compileCall, emitCall, compileExpression, compileReference } from './expressions.js';
-import { compileConditions, compileHandler, compileHandlerControl, scanHandlers } from './handlers.js';
+import { compileHalt, compilePosted } from './halt.js';
+import { compileConditions, compileHandler, compileHandlerControl } from './handlers.js';
 import { HALT, OVER, pushFrame, SCAN, SWITCH } from './machine.js';
 import { compileMotionControl, compileMove } from './motion.js';
+import { scanHandlers } from './occurrences.js';
 import { linkedProgram } from './programs.js';
 import { compileDelay, compilePend, compilePulse } from './time.js';
 import { compileFileStatement, compileTransfer } from './transfer.js';
@@ -81,12 +83,8 @@ function compileStatement(statement, compiler) {
     case 'return':
       return compileReturn(statement.value, compiler);
     case 'abort':
-      return void compiler.emit((machine) => {
-        machine.effect = { kind: 'abort' };
-        return OVER;
-      });
     case 'pause':
-      return emitEffect(compiler, () => ({ kind: 'pause' }));
+      return compileHalt(statement, compiler);
     case 'delay':
       return compileDelay(compileExpression(statement.milliseconds, compiler), compiler);
     case 'wait': {
@@ -154,9 +152,15 @@ function compileStatement(statement, compiler) {
     }
     case 'move':
       return compileMove(statement, compiler, compileBody);
+    case 'action': {
+      const { action } = statement;
+      return emitPlain(compiler, ({ state }) => {
+        if (action === 'NOABORT') state.tasks[state.current].noAbort = true;
+        else if (/PAUSE|CONTINUE/.test(action)) state.tasks[state.current].noPause = true;
+      });
+    }
     case 'comment':
     case 'directive':
-    case 'action':
   }
 }
 
@@ -271,6 +275,7 @@ function compileCallStatement(statement, compiler) {
     frame.pc = next;
     return HALT;
   });
+  if (upper === 'POST_ERR') compilePosted(statement.args[3], compiler);
 }
 
 /** CALL_PROG: a program by its name as text, in this task. @param {Expression} program @param {Compiler} compiler */

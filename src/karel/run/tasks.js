@@ -5,6 +5,7 @@
  */
 import { PREDEFINED } from '../check/constants.js';
 import { held, put } from './builtinsMath.js';
+import { abortTask, changeTask } from './endings.js';
 import { pushFrame } from './machine.js';
 import { linkedProgram } from './programs.js';
 import { number, text, truth } from './values.js';
@@ -55,18 +56,21 @@ const runTask = ([name, , isPaused, , , status], machine) => {
 };
 
 /** @param {Machine} machine @param {unknown} name @param {Task['status']} becomes @param {unknown} status */
-function changeTask({ state }, name, becomes, status) {
-  const task = taskNamed(state, name);
-  if (task && task.status !== 'ended') task.status = becomes;
+function setTask(machine, name, becomes, status) {
+  const task = taskNamed(machine.state, name);
   put(status, task ? 0 : NO_TASK);
+  if (!task || task.status === 'ended') return;
+  const index = machine.state.tasks.indexOf(task);
+  if (becomes === 'ended') abortTask(machine, index);
+  else changeTask(machine, index, becomes);
 }
 
 /** @type {Readonly<Record<string, Builtin>>} */
 export const TASKS = {
   RUN_TASK: runTask,
-  ABORT_TASK: ([name, , , status], machine) => changeTask(machine, name, 'ended', status),
-  PAUSE_TASK: ([name, , , status], machine) => changeTask(machine, name, 'paused', status),
-  CONT_TASK: ([name, status], machine) => changeTask(machine, name, 'running', status),
+  ABORT_TASK: ([name, , , status], machine) => setTask(machine, name, 'ended', status),
+  PAUSE_TASK: ([name, , , status], machine) => setTask(machine, name, 'paused', status),
+  CONT_TASK: ([name, status], machine) => setTask(machine, name, 'running', status),
   GET_TSK_INFO: ([name, index, attribute, integer, string, status], { state, image }) => {
     const wanted = held(name) ?? '';
     const task = text(wanted) === '' ? state.tasks[state.current] : taskNamed(state, wanted);

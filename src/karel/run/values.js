@@ -6,8 +6,10 @@
  *
  * @import { Type } from '../check/types.js'
  * @typedef {unknown} Value
- * @typedef {{ holder: Record<string | number, Value>, key: string | number }} Reference
+ * @typedef {{ code: string, reason: string, line: number, routine: string }} AlarmText
+ * @typedef {{ holder: Record<string | number, Value>, key: string | number, most?: number }} Reference  most: characters of a string
  */
+import { MAX_STRING_LENGTH } from '../words.js';
 
 /** What stops a program: a reason, told with its line. */
 export class Alarm extends Error {
@@ -37,6 +39,10 @@ export function text(value) {
   if (typeof value === 'string') return value;
   throw new Alarm(value === undefined ? UNSET : 'a string was expected', 'uninitialised');
 }
+
+/** So much of a string as has room. @param {Value} value @param {number} [most] @returns {Value} */
+export const clipped = (value, most = MAX_STRING_LENGTH) =>
+  typeof value === 'string' && value.length > most ? value.slice(0, most) : value;
 
 /** @param {Value} value @returns {Value[]} */
 export function list(value) {

@@ -2,7 +2,7 @@
  * Whatever runs, under a debugger: it goes on to where it is asked to, says what it wants done, and goes back statement by statement.
  *
  * @import { Effect } from '../../karel/run/machine.js'
- * @import { AlarmText } from '../../karel/interpreter.js'
+ * @import { AlarmText } from '../../karel/run/values.js'
  * @import { Arm } from '../../karel/run/arm.js'
  * @import { Shown, ShownRegister } from './codeShown.js'
  *

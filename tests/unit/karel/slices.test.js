@@ -18,7 +18,7 @@ function counted(job) {
 test('a long program takes as many turns as it has pieces, and comes out the same', () => {
   const statements = 12 * PIECE;
   const lines = Array.from({ length: statements }, (_, i) => `x = x + ${i}`);
-  const text = `PROGRAM long\nVAR x : INTEGER\nBEGIN\nx = 0\ny = 1\n${lines.join('\n')}\nEND long\n`;
+  const text = `PROGRAM long\nVAR x, never : INTEGER\nBEGIN\nx = 0\n${lines.join('\n')}\nEND long\n`;
   const read = counted(parseInSlices(text));
   expect(read.result).toEqual(parseKarel(text));
   expect(read.pieces).toBeGreaterThanOrEqual(12);
@@ -26,6 +26,7 @@ test('a long program takes as many turns as it has pieces, and comes out the sam
   if (tree.kind !== 'program') throw new Error('This is a program.');
   const linked = counted(linkInSlices(tree, {}));
   expect(linked.pieces).toBeGreaterThanOrEqual(2 * 12);
+  expect(linked.result.analyses[0].diagnostics).toMatchObject([{ code: 'unused' }]);
   expect(linked.result.analyses[0].diagnostics).toEqual(checkKarel(tree));
 
   const tp = listing(lines.map((_, i) => `  R[1]=${i}`));

@@ -58,7 +58,12 @@ const START_SPEED = 10;
 /** One over the condition number, below which the decimals of a position leave open where the axes are that it depends on. */
 const SINGULAR = 1e-3;
 
+/** Degrees: an axis nearer than this to where its turn gets another number may be on either side of it, by the decimals of a position. */
+const BORDER = 0.05;
+const FANUC_TURN_AXES = [0, 3, 5];
+
 const REASONS = {
+  border: 'an axis is there where its turn gets another number, and decimals leave open on which side',
   singular: 'the posture there is singular, and its configuration does not tell it from others',
   'not-six-axes': 'configurations are for arms with six axes',
   prismatic: 'configurations are for arms whose axes all turn',
@@ -220,13 +225,22 @@ function neutralTarget(robot, chain, target, q, T_user_tcp, isByJoints) {
     const values = { joints: pendantValues(robot, posture), position: controllerPosition(T_user_tcp) };
     return { ...values, fanuc: null, kuka: null, isJoint: false, reason: REASONS.singular };
   }
+  const joints = pendantValues(robot, posture);
+  const onBorder = {
+    fanuc: isByJoints && FANUC_TURN_AXES.some((axis) => isNear(joints[axis], 180)),
+    kuka: isByJoints && joints.some((value) => isNear(value, 0)),
+  };
   return {
-    ...{ joints: pendantValues(robot, posture), position: controllerPosition(T_user_tcp) },
-    ...{ fanuc: fanuc.text, kuka: kuka.status === null ? null : { status: kuka.status, turn: kuka.turn } },
+    ...{ joints, position: controllerPosition(T_user_tcp) },
+    fanuc: onBorder.fanuc ? null : fanuc.text,
+    kuka: onBorder.kuka || kuka.status === null ? null : { status: kuka.status, turn: kuka.turn },
     isJoint: target.kind === 'posture',
-    ...(fanuc.reason && { reason: REASONS[fanuc.reason] }),
+    reason: REASONS[fanuc.reason ?? 'border'],
   };
 }
+
+/** Whole turns aside. @param {number} value  degrees @param {number} border */
+const isNear = (value, border) => Math.abs(value - border - 360 * Math.round((value - border) / 360)) < BORDER;
 
 /** How many postures of an arc are looked at for the one at its middle point. */
 const ARC_SAMPLES = 64;

@@ -1,11 +1,12 @@
 /**
- * Ready programs, made for the arm that is there: somewhere within its reach, as large as it can draw them. Each is planned
+ * Ready programs, made for the arm that is there: somewhere within its reach, as large as it can draw them. Each is to be planned
  * before it is offered, so that what is put into a document can be played; where nothing is found, that is all that is said:
  * other places were not tried.
  *
- * @import { Doc, Ending, MotionProgramDoc, PoseTarget, RobotDoc } from '../document.js'
+ * @import { Doc, Ending, PoseTarget, RobotDoc } from '../document.js'
  * @import { NewStep } from './motionCommands.js'
  * @import { Chain } from '../../kinematics/chain.js'
+ * @import { PlanQuestion } from '../../motion/planQuestion.js'
  *
  * @typedef {'pick-and-place' | 'weld-seam' | 'circle' | 'lissajous' | 'corners' | 'laws' | 'points'} ReadyId
  * @typedef {{ above: string, grip: string, release: string, arc: string, sharp: string, rounded: string, through: string, past: string,
@@ -19,11 +20,10 @@
  * @typedef {readonly [number, number, number]} Axis
  */
 import { tcpPose } from '../../kinematics/forward.js';
-import { planMotion } from '../../motion/plan.js';
 import { compilePosture, compileRobot } from '../compile.js';
 import { homePosture, limitsOf } from '../document.js';
 import { applyMotionCommand } from './motionCommands.js';
-import { motionMoves } from './motionPlan.js';
+import { planRequest } from './planRequest.js';
 import { poseInUnits } from '../numbers/poseNumbers.js';
 import { fromKernel, toKernel } from '../units.js';
 
@@ -41,8 +41,10 @@ const LEADING = ['cubicSpline', 'parabolicBlends'];
 /** How far that is: rad, as there, or m; less where the joint has no room for it. */
 const SWING = { angle: toKernel('angle', 25, { length: 'm', angle: 'deg' }), length: 0.1 };
 
-/** Of the arm's length, the largest first. */
-const SIZES = [0.15, 0.1, 0.06, 0.03];
+/** Of the arm's length, the largest first; and which of them some programs begin with, which would take too long to watch if larger. */
+const SIZES = [0.35, 0.25, 0.15, 0.1, 0.06, 0.03];
+/** @type {Partial<Record<ReadyId, number>>} */
+const LARGEST = { 'weld-seam': 0.15, lissajous: 0.25, corners: 0.25 };
 
 /** m/s */
 const QUICK = 0.25;
@@ -53,41 +55,46 @@ const SEAM = 0.02;
 const DIGITS = 7;
 
 /**
+ * Asks of one place after the other whether the program can be played there: each question is to be planned by whoever runs this,
+ * and answered by whether every move of it can be. Where the arm does not even reach, there is nothing to plan, and it only pauses.
+ *
  * @param {Doc} doc
  * @param {ReadyId} id
  * @param {ReadyWords} words
- * @returns {NewStep[] | null}  null: not found within the arm's reach
+ * @returns {Generator<PlanQuestion | null, NewStep[] | null, boolean>}  null: not found within the arm's reach
  */
-export function readyProgram(doc, id, words) {
+export function* readyProgram(doc, id, words) {
   const chain = compileRobot(doc.robot);
-  for (const room of rooms(doc, chain)) {
+  for (const room of rooms(doc, chain, LARGEST[id] ?? Infinity)) {
     const steps = PROGRAMS[id](drawing(doc, room), words);
-    if (canRun(doc, chain, steps)) return steps;
+    const question = questionOf(doc, chain, steps);
+    const canBePlayed = yield question;
+    if (question && canBePlayed) return steps;
   }
   return null;
 }
 
-/** @param {Doc} doc @param {Chain} chain @param {NewStep[]} steps */
-function canRun(doc, chain, steps) {
+/** @param {Doc} doc @param {Chain} chain @param {NewStep[]} steps @returns {PlanQuestion | null} */
+function questionOf(doc, chain, steps) {
   const made = applyMotionCommand({ ...doc, motionPrograms: [] }, { type: 'add-motion-program', name: '', steps });
-  const home = homePosture(doc.robot);
-  const { moves, limits, issues } = motionMoves(made, /** @type {MotionProgramDoc} */ (made.motionPrograms[0]), home);
-  if (issues.length > 0) return false;
+  const [program] = made.motionPrograms;
+  const { request, issues } = planRequest({ doc: made, program, start: homePosture(doc.robot) }, chain);
+  if (issues.length > 0) return null;
   // whether one is refused does not depend on its rounding, which takes the most time
-  const sharp = moves.map((move) => ('law' in move && move.law === 'doubleS' ? { ...move, law: 'trapezoid' } : move));
-  return (
-    planMotion(chain, compilePosture(doc.robot, home), /** @type {typeof moves} */ (sharp), limits).refused === null
+  const sharp = request.moves.map((move) =>
+    'law' in move && move.law === 'doubleS' ? { ...move, law: 'trapezoid' } : move,
   );
+  return { ...request, moves: /** @type {PlanQuestion['moves']} */ (sharp) };
 }
 
-/** @param {Doc} doc @param {Chain} chain @returns {Generator<Room>} */
-function* rooms({ robot, posture }, chain) {
+/** @param {Doc} doc @param {Chain} chain @param {number} largest  of SIZES @returns {Generator<Room>} */
+function* rooms({ robot, posture }, chain, largest) {
   const middle = robot.joints.map((joint, i) => {
     const { lower, upper } = limitsOf(joint);
     return Number.isFinite(upper - lower) ? (lower + upper) / 2 : (joint.home ?? posture[i]);
   });
   const bent = homePosture(robot).map((value, i) => (value + middle[i]) / 2);
-  for (const share of SIZES) {
+  for (const share of SIZES.filter((one) => one <= largest)) {
     for (const q of [homePosture(robot), posture, bent, middle]) {
       const T = tcpPose(chain, compilePosture(robot, q));
       const size = share * chain.characteristicLength;

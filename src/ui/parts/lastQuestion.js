@@ -20,8 +20,12 @@ export function createLastQuestion(job, onError, isLast = () => true) {
   let latest = 0;
 
   function cancel() {
+    if (isBusy) end();
+    else latest++;
+  }
+
+  function end() {
     latest++;
-    if (!isBusy) return;
     worker?.terminate();
     worker = null;
     isBusy = false;
@@ -49,5 +53,7 @@ export function createLastQuestion(job, onError, isLast = () => true) {
       worker.postMessage({ id, ...question });
     },
     cancel,
+    /** For now: no worker is kept for a next question. */
+    end,
   };
 }

@@ -27,5 +27,6 @@ export function createPlanApart(onError) {
       });
     },
     cancel: apart.cancel,
+    end: apart.end,
   };
 }

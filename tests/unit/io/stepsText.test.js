@@ -3,7 +3,7 @@ import fc from 'fast-check';
 import { expect, test } from 'vitest';
 import { readSteps, stepsText } from '../../../src/io/stepsText.js';
 import { LIBRARY, newDocument } from '../../../src/model/library.js';
-import { readyProgram } from '../../../src/model/program/readyPrograms.js';
+import { readySteps } from '../../helpers/readySteps.js';
 import { refusal } from '../../../src/model/refusals.js';
 import { reduce, startState } from '../../../src/model/session.js';
 import { READY_WORDS } from '../../../src/ui/words/ready.js';
@@ -11,7 +11,7 @@ import { SEED, runs } from '../../helpers/property.js';
 
 const state = startState(newDocument(LIBRARY.puma560));
 const { units } = state.doc.robot;
-const steps = readyProgram(state.doc, 'corners', READY_WORDS.comments) ?? [];
+const steps = readySteps(state.doc, 'corners', READY_WORDS.comments) ?? [];
 
 /** A program with them. @param {import('../../../src/model/program/motionCommands.js').NewStep[]} list */
 const withThem = (list) =>

@@ -14,7 +14,7 @@ import { verifyCode } from '../../../src/model/controller/verifyCode.js';
 import { LIBRARY, newDocument } from '../../../src/model/library.js';
 import { poseInUnits } from '../../../src/model/numbers/poseNumbers.js';
 
-/** @import { Doc } from '../../../src/model/document.js' */
+/** @import { Doc, RobotDoc, StepDoc } from '../../../src/model/document.js' */
 
 const cos = (/** @type {number} */ degrees) => Math.cos((degrees * Math.PI) / 180);
 const sin = (/** @type {number} */ degrees) => Math.sin((degrees * Math.PI) / 180);
@@ -40,6 +40,18 @@ function kukaText(A) {
   return `S 'B${status.toString(2).padStart(3, '0')}',T 'B${turn.toString(2).padStart(3, '0')}'`;
 }
 
+const manner = /** @type {const} */ ({ speed: 10, speedUnit: '%', acceleration: 100, ending: { kind: 'fine' } });
+
+/** @param {RobotDoc} robot @param {number[]} posture @param {'fanuc' | 'kuka'} brand @param {StepDoc} step */
+function madeOf(robot, posture, brand, step) {
+  /** @type {Doc} */
+  const doc = { ...newDocument(robot), posture, motionPrograms: [{ id: 'm', name: 'Branch', steps: [step] }] };
+  const options = { brand, version: '0', generatedAt: '2026-07-01T12:00:00Z' };
+  const { made } = neutralProgram(doc, doc.motionPrograms[0], options);
+  if (!made) throw new Error('Expected a program.');
+  return { doc, made };
+}
+
 test.for(
   /** @type {const} */ ([
     ['fanuc_m10ia', 'fanuc', [20, 15, -25, 40, -50, 30]],
@@ -57,19 +69,7 @@ test.for(
   const texts = solutions.map((solution) => {
     const posture = postureFromKernel(unlimited, solution.q);
     const target = { kind: /** @type {const} */ ('pose'), ...poseInUnits(T, unlimited.units) };
-    const manner = /** @type {const} */ ({ speed: 10, speedUnit: '%', acceleration: 100, ending: { kind: 'fine' } });
-    /** @type {Doc} */
-    const doc = {
-      ...newDocument(unlimited),
-      posture,
-      motionPrograms: [{ id: 'm', name: 'Branch', steps: [{ id: 'a', kind: 'joint', target, ...manner }] }],
-    };
-    const { made } = neutralProgram(doc, doc.motionPrograms[0], {
-      brand,
-      version: '0',
-      generatedAt: '2026-07-01T12:00:00Z',
-    });
-    if (!made) throw new Error('Expected a program.');
+    const { doc, made } = madeOf(unlimited, posture, brand, { id: 'a', kind: 'joint', target, ...manner });
     const { files } = (brand === 'fanuc' ? writeTp : writeKrl)(made.program);
     const text =
       brand === 'fanuc' ? /CONFIG : '([^']*)'/.exec(files[0].text)?.[1] : /S '.*'(?=\})/.exec(files[1].text)?.[0];
@@ -78,4 +78,26 @@ test.for(
     return text;
   });
   expect(new Set(texts).size).toBe(8);
+});
+
+test.for(
+  /** @type {const} */ ([
+    ['fanuc_m10ia', 'fanuc', [20, 15, -25, 180, -50, 30], [20, 15, -25, 0, -50, 30]],
+    ['kuka_kr6_r900', 'kuka', [20, -70, 95, 0, 50, 30], [20, -70, 95, 180, 50, 30]],
+  ]),
+)('where a turn gets another number, %s is sent to joint values, and is told why', ([arm, brand, onBorder, off]) => {
+  const robot = {
+    ...LIBRARY[arm],
+    joints: LIBRARY[arm].joints.map((joint) => ({ ...joint, lower: undefined, upper: undefined })),
+  };
+  const write = brand === 'fanuc' ? writeTp : writeKrl;
+  for (const posture of [onBorder, off]) {
+    const T = tcpPose(compileRobot(robot), compilePosture(robot, posture));
+    const target = { kind: /** @type {const} */ ('pose'), ...poseInUnits(T, robot.units) };
+    const { doc, made } = madeOf(robot, [...posture], brand, { id: 'a', kind: 'joint', target, ...manner });
+    const { files, notes } = write(made.program);
+    const told = notes.filter(({ message }) => message.includes('where its turn gets another number'));
+    expect(told).toHaveLength(posture === onBorder ? 1 : 0);
+    expect(verifyCode(doc, made, files).matches).toBe(true);
+  }
 });

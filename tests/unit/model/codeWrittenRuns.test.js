@@ -14,7 +14,7 @@ import { compilePosture, compileRobot, postureFromKernel } from '../../../src/mo
 import { neutralProgram } from '../../../src/model/controller/neutralProgram.js';
 import { newDocument } from '../../../src/model/newDocument.js';
 import { motionMoves } from '../../../src/model/program/motionPlan.js';
-import { readyProgram } from '../../../src/model/program/readyPrograms.js';
+import { readySteps } from '../../helpers/readySteps.js';
 import { firstRobot } from '../../../src/model/shelf.js';
 import { planMomentAt } from '../../../src/motion/planMoment.js';
 
@@ -32,7 +32,7 @@ const words = /** @type {ReadyWords} */ (/** @type {unknown} */ (new Proxy({}, {
 /** @returns {Doc} */
 function written() {
   const doc = newDocument(firstRobot);
-  const steps = readyProgram(doc, 'pick-and-place', words);
+  const steps = readySteps(doc, 'pick-and-place', words);
   if (!steps) throw new Error('Expected a ready program.');
   const program = { id: 'pick', name: 'pick', steps: steps.map((step, i) => ({ ...step, id: `s${i}` })) };
   return /** @type {Doc} */ ({ ...doc, motionPrograms: [program] });

@@ -2,7 +2,8 @@
 import { describe, expect, test } from 'vitest';
 import { LIBRARY, newDocument } from '../../../src/model/library.js';
 import { createMotionPlans, motionMoves, postureAt } from '../../../src/model/program/motionPlan.js';
-import { READY_PROGRAMS, readyProgram } from '../../../src/model/program/readyPrograms.js';
+import { READY_PROGRAMS } from '../../../src/model/program/readyPrograms.js';
+import { readySteps } from '../../helpers/readySteps.js';
 import { validateDocument } from '../../../src/model/validate.js';
 import { READY_WORDS } from '../../../src/ui/words/ready.js';
 
@@ -164,7 +165,7 @@ test.each(['puma560', 'ur5', 'planar2r'])('ready programs for %s are sound, and 
   const doc = newDocument(LIBRARY[id]);
   const plans = createMotionPlans();
   for (const ready of READY_PROGRAMS.filter((_, i) => id === 'puma560' || i < 2 || i > 4)) {
-    const steps = readyProgram(doc, ready, READY_WORDS.comments);
+    const steps = readySteps(doc, ready, READY_WORDS.comments);
     expect(steps, ready).not.toBeNull();
     const made = withSteps(doc, ...(steps ?? []).map((step) => /** @type {StepDoc} */ ({ ...step, id: 's' })));
     expect(plans(made, made.motionPrograms[0])?.refused, ready).toBe(null);
@@ -175,7 +176,7 @@ test.each(['puma560', 'cart_ppp', 'kuka_kr6_r900'])(
   'the textbook’s points are 10, 35, 25 and 10° of the first joint of %s',
   (id) => {
     const doc = newDocument(LIBRARY[id]);
-    const steps = readyProgram(doc, 'points', READY_WORDS.comments) ?? [];
+    const steps = readySteps(doc, 'points', READY_WORDS.comments) ?? [];
     const first = steps.map((step) => ('target' in step && 'values' in step.target ? step.target.values[0] : NaN));
     const [from, farthest] = first;
     // as in Craig 7.3, but from where the arm begins; a slide goes as far in its own measure

@@ -12,6 +12,7 @@
  * @typedef {{ above: string, grip: string, release: string, arc: string, sharp: string, rounded: string, through: string, past: string,
  *   laws: Record<Law, string> }} ReadyWords  comments of steps
  * @typedef {typeof LAWS[number]} Law
+ * @typedef {PlanQuestion} ReadyQuestion
  *
  * @typedef {object} Room   where a program is drawn: in the plane of u and v around a place of the tool, with n pointing away from the work
  * @property {Float64Array} T_world_middle
@@ -61,7 +62,7 @@ const DIGITS = 7;
  * @param {Doc} doc
  * @param {ReadyId} id
  * @param {ReadyWords} words
- * @returns {Generator<PlanQuestion | null, NewStep[] | null, boolean>}  null: not found within the arm's reach
+ * @returns {Generator<ReadyQuestion | null, NewStep[] | null, boolean>}  null: not found within the arm's reach
  */
 export function* readyProgram(doc, id, words) {
   const chain = compileRobot(doc.robot);

@@ -4,8 +4,7 @@
  *
  * @import { Choice } from '../parts/choices.js'
  * @import { Page } from '../page.js'
- * @import { ReadyId, readyProgram } from '../../model/program/readyPrograms.js'
- * @import { PlanQuestion } from '../../motion/planQuestion.js'
+ * @import { ReadyId, ReadyQuestion, readyProgram } from '../../model/program/readyPrograms.js'
  */
 import { attempt } from '../page.js';
 import { READY_WORDS } from '../words/ready.js';
@@ -62,7 +61,7 @@ async function searched({ clock }, search, isWanted) {
   /** @type {(error: unknown) => void} */
   let fail = () => {};
   const apart = createPlanApart((error) => fail(error));
-  /** @param {PlanQuestion} question @returns {Promise<boolean>} */
+  /** @param {ReadyQuestion} question @returns {Promise<boolean>} */
   const canBePlayed = (question) =>
     new Promise((answer, failed) => {
       fail = failed;

@@ -11,21 +11,28 @@
 import { declarationLines, printDeclaration } from './print/declarations.js';
 import { commentText, indented, joinedLines } from './print/lines.js';
 import { statementLines } from './print/statements.js';
+import { finished, inPieces } from './slices.js';
 import { identifier } from './words.js';
 
 const DECLARATIONS = new Set(['constants', 'types', 'variables', 'routine']);
 
 /** @param {Program | Fragment} tree @returns {string} */
-export function printKarel(tree) {
+export const printKarel = (tree) => finished(printInSlices(tree));
+
+/** The same, some statements at a time. @param {Program | Fragment} tree @returns {Generator<null, string>} */
+export function* printInSlices(tree) {
   if (tree.kind === 'fragment') return joinedLines(tree.parts.flatMap(partLines));
   const { comments, name, declarations, body, after = [] } = tree;
+  /** @type {string[]} */
+  const lines = [];
+  yield* inPieces(body, (piece) => void lines.push(...indented(piece.flatMap(statementLines))));
   return joinedLines([
     ...comments.map(commentText),
     `PROGRAM ${identifier(name)}`,
     ...declarationLines(declarations),
     '',
     'BEGIN',
-    ...indented(body.flatMap(statementLines)),
+    ...lines,
     `END ${identifier(name)}`,
     ...declarationLines(after),
   ]);

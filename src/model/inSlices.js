@@ -20,6 +20,20 @@ export function atOnce(job) {
 }
 
 /**
+ * A job that says nothing of how far it is, as part of one that does.
+ * @template Result
+ * @param {Generator<unknown, Result>} job
+ * @param {number} share   that is told meanwhile
+ * @returns {Generator<number, Result>}
+ */
+export function* within(job, share) {
+  for (let turn = job.next(); ; turn = job.next()) {
+    if (turn.done) return turn.value;
+    yield share;
+  }
+}
+
+/**
  * @template Result
  * @param {Generator<number, Result>} job   yields the share that is done
  * @param {Pick<Clock, 'now' | 'after'>} clock

@@ -4,6 +4,7 @@
  *
  * @import { TpGroup, TpInstruction, TpListing, TpPart, TpPositionPart } from './tree.js'
  */
+import { finished, inPieces } from '../slices.js';
 import { fitting, instructionText, wholeNumber } from './instructionText.js';
 
 const PROGRAM_NAME = /^[A-Z][A-Z0-9_]{0,35}(\t[A-Za-z]+)?$/;
@@ -18,8 +19,15 @@ const VALUE_COLUMN = 16;
 const TASK = ['STACK_SIZE', 'TASK_PRIORITY', 'TIME_SLICE', 'BUSY_LAMP_OFF', 'ABORT_REQUEST', 'PAUSE_REQUEST'];
 
 /** @param {TpListing} listing @returns {string} */
-export function printTp({ parts, lineEnd }) {
-  return parts.map((part) => part.raw ?? `${partText(part).split('\n').join(lineEnd)}${lineEnd}`).join('');
+export const printTp = (listing) => finished(printTpInSlices(listing));
+
+/** The same, some parts at a time. @param {TpListing} listing @returns {Generator<null, string>} */
+export function* printTpInSlices({ parts, lineEnd }) {
+  let text = '';
+  yield* inPieces(parts, (piece) => {
+    for (const part of piece) text += part.raw ?? `${partText(part).split('\n').join(lineEnd)}${lineEnd}`;
+  });
+  return text;
 }
 
 /** Its lines, with "\n" between them. @param {TpPart} part @returns {string} */

@@ -5,6 +5,7 @@
  * @import { NeutralMove, NeutralProgram, NeutralStep, NeutralTarget, WriteNote } from './neutral.js'
  */
 import { plainText, wrapped } from '../plainText.js';
+import { inPieces } from '../slices.js';
 import { number, register } from '../tp/tree.js';
 import { MAX_REMARK_LENGTH, programComment, titleOf } from './header.js';
 import { isWrittenAsPosition, movesOf, rounded, roundedWaits } from './neutral.js';
@@ -71,23 +72,25 @@ export function positionFor(target, index, { userFrame, tool }, { slides }) {
  * The lines of a program, moves as `write` makes them.
  * @param {NeutralProgram} program
  * @param {(move: NeutralMove) => TpMotion} write
- * @returns {TpInstruction[]}
+ * @returns {Generator<null, TpInstruction[]>}
  */
-export function linesFor({ steps }, write) {
+export function* linesFor({ steps }, write) {
   /** @type {TpInstruction[]} */
   const lines = [];
   let [userFrame, tool] = [-1, -1];
-  for (const step of steps) {
-    if (step.kind !== 'move') {
-      lines.push(...lineFor(step));
-      continue;
+  yield* inPieces(steps, (piece) => {
+    for (const step of piece) {
+      if (step.kind !== 'move') {
+        lines.push(...lineFor(step));
+        continue;
+      }
+      if (step.comment) lines.push(...remarks(step.comment));
+      if (step.userFrame !== userFrame) lines.push(setting('UFRAME_NUM', step.userFrame));
+      if (step.tool !== tool) lines.push(setting('UTOOL_NUM', step.tool));
+      [userFrame, tool] = [step.userFrame, step.tool];
+      lines.push(write(step));
     }
-    if (step.comment) lines.push(...remarks(step.comment));
-    if (step.userFrame !== userFrame) lines.push(setting('UFRAME_NUM', step.userFrame));
-    if (step.tool !== tool) lines.push(setting('UTOOL_NUM', step.tool));
-    [userFrame, tool] = [step.userFrame, step.tool];
-    lines.push(write(step));
-  }
+  });
   return lines;
 }
 

@@ -5,7 +5,8 @@
  * @import { NeutralMove, NeutralProgram, NeutralStep, NeutralTarget, WriteNote, WriteOptions, Written } from './neutral.js'
  */
 import { fanucNames } from '../fanucNames.js';
-import { printKarel } from '../printer.js';
+import { printInSlices } from '../printer.js';
+import { finished, inPieces } from '../slices.js';
 import { binary, call, integer, name, real } from '../tree.js';
 import { headerLines } from './header.js';
 import { assign, comment, karelProgram, OWN, targetParts } from './karelParts.js';
@@ -20,7 +21,10 @@ const DELAY_DECIMALS = 3;
 export const NAMES = { target: 'target_n', via: 'via_n', index: 'prog_idx' };
 
 /** @param {NeutralProgram} program @param {WriteOptions} [options] @returns {Written} */
-export function writeKarelMove(program, { programName = program.name } = {}) {
+export const writeKarelMove = (program, options) => finished(writeKarelMoveInSlices(program, options));
+
+/** The same, some moves at a time. @param {NeutralProgram} program @param {WriteOptions} [options] @returns {Generator<null, Written>} */
+export function* writeKarelMoveInSlices(program, { programName = program.name } = {}) {
   const own = fanucNames(programName, [...Object.values(OWN), ...Object.values(NAMES)]).karel;
   /** @type {WriteNote[]} */
   const notes = [
@@ -39,7 +43,7 @@ export function writeKarelMove(program, { programName = program.name } = {}) {
     },
   ];
   let [userFrame, tool] = [-1, -1];
-  const body = program.steps.flatMap((step) => {
+  const statementsFor = (/** @type {NeutralStep} */ step) => {
     if (step.kind !== 'move') return otherStep(step);
     const frames = [
       ...(step.userFrame === userFrame ? [] : frameStatements('UFRAME', 'MNUFRAME', step.userFrame)),
@@ -47,14 +51,17 @@ export function writeKarelMove(program, { programName = program.name } = {}) {
     ];
     [userFrame, tool] = [step.userFrame, step.tool];
     return [...(step.comment ? [comment(step.comment)] : []), ...frames, ...moveStatements(step)];
-  });
+  };
+  /** @type {Statement[]} */
+  const body = [];
+  yield* inPieces(program.steps, (piece) => void body.push(...piece.flatMap(statementsFor)));
   const header = headerLines(program, {
     does: 'For R-J3iB and older: this program moves by itself, with MOVE. It holds motion group 1 while it runs.',
     world: 'User frame 0 is the world of the controller, on axis 1 at the height of axis 2; tool 0 is the flange.',
     notes,
   });
   const tree = karelProgram(own, program, header, [], variablesFor(program), [], body);
-  return { files: [{ name: `${own}.kl`, language: 'karel', text: printKarel(tree) }], notes };
+  return { files: [{ name: `${own}.kl`, language: 'karel', text: yield* printInSlices(tree) }], notes };
 }
 
 /** @param {NeutralMove} move @returns {Statement[]} */

@@ -7,6 +7,7 @@
 import { plainText } from '../plainText.js';
 import { INTERRUPTS, MAX_NAME_LENGTH } from '../krl/tree.js';
 import { printKrl } from '../krl/printer.js';
+import { finished, PIECE } from '../slices.js';
 import { headerLines } from './header.js';
 import { isWrittenAsPosition, missingConfigurations, movesOf, rounded } from './neutral.js';
 
@@ -37,7 +38,10 @@ export function krlNameFault(name) {
 }
 
 /** @param {NeutralProgram} program @param {WriteOptions} [options] @returns {Written} */
-export function writeKrl(program, { programName = program.name } = {}) {
+export const writeKrl = (program, options) => finished(writeKrlInSlices(program, options));
+
+/** The same, some moves at a time. @param {NeutralProgram} program @param {WriteOptions} [options] @returns {Generator<null, Written>} */
+export function* writeKrlInSlices(program, { programName = program.name } = {}) {
   const name = krlName(programName);
   /** @type {KrlDatum[]} */
   const data = [];
@@ -58,7 +62,8 @@ export function writeKrl(program, { programName = program.name } = {}) {
     data.push(datumFor(point, target, needsPosition));
     return point;
   };
-  for (const step of program.steps) {
+  for (const [i, step] of program.steps.entries()) {
+    if (i % PIECE === PIECE - 1) yield null;
     if (step.kind !== 'move') {
       statements.push(otherStep(step));
       continue;

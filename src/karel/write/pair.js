@@ -6,9 +6,10 @@
  * @import { NeutralProgram, NeutralTarget, WriteNote, WriteOptions, Written } from './neutral.js'
  */
 import { fanucNames } from '../fanucNames.js';
-import { printKarel } from '../printer.js';
+import { printInSlices } from '../printer.js';
+import { finished } from '../slices.js';
 import { call, integer, name } from '../tree.js';
-import { printTp } from '../tp/printer.js';
+import { printTpInSlices } from '../tp/printer.js';
 import { register } from '../tp/tree.js';
 import { fanucNotes, headRemarks, linesFor, listingFor, motionFor } from './fanucMoves.js';
 import { headerLines } from './header.js';
@@ -19,7 +20,10 @@ const USUAL_REGISTERS = 100;
 const KNOWN_AXES = 6;
 
 /** @param {NeutralProgram} program @param {WriteOptions} [options] @returns {Written} */
-export function writePair(program, { programName = program.name, firstRegister = 1 } = {}) {
+export const writePair = (program, options) => finished(writePairInSlices(program, options));
+
+/** The same, some moves at a time. @param {NeutralProgram} program @param {WriteOptions} [options] @returns {Generator<null, Written>} */
+export function* writePairInSlices(program, { programName = program.name, firstRegister = 1 } = {}) {
   const names = fanucNames(programName, Object.values(OWN));
   /** @type {Statement[]} */
   const body = [];
@@ -36,7 +40,7 @@ export function writePair(program, { programName = program.name, firstRegister =
     );
     return register('PR', next++);
   };
-  const lines = linesFor(program, (move) => {
+  const lines = yield* linesFor(program, (move) => {
     const via = move.via && place(move.via, move.comment && `on the way to ${move.comment}`);
     return motionFor(move, place(move.target, move.comment), via);
   });
@@ -90,8 +94,8 @@ export function writePair(program, { programName = program.name, firstRegister =
   const listing = listingFor(names.tp, program, [...headRemarks(program, about), ...lines], []);
   return {
     files: [
-      { name: `${names.karel}.kl`, language: 'karel', text: printKarel(filler) },
-      { name: `${mover}.ls`, language: 'fanuc-tp', text: printTp(listing) },
+      { name: `${names.karel}.kl`, language: 'karel', text: yield* printInSlices(filler) },
+      { name: `${mover}.ls`, language: 'fanuc-tp', text: yield* printTpInSlices(listing) },
     ],
     notes,
   };

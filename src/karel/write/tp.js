@@ -5,17 +5,21 @@
  * @import { NeutralProgram, WriteOptions, Written } from './neutral.js'
  */
 import { fanucNames } from '../fanucNames.js';
-import { printTp } from '../tp/printer.js';
+import { finished } from '../slices.js';
+import { printTpInSlices } from '../tp/printer.js';
 import { register } from '../tp/tree.js';
 import { fanucNotes, headRemarks, linesFor, listingFor, motionFor, positionFor } from './fanucMoves.js';
 import { missingConfigurations } from './neutral.js';
 
 /** @param {NeutralProgram} program @param {WriteOptions} [options] @returns {Written} */
-export function writeTp(program, { programName = program.name } = {}) {
+export const writeTp = (program, options) => finished(writeTpInSlices(program, options));
+
+/** The same, some moves at a time. @param {NeutralProgram} program @param {WriteOptions} [options] @returns {Generator<null, Written>} */
+export function* writeTpInSlices(program, { programName = program.name } = {}) {
   const name = fanucNames(programName).karel.toUpperCase();
   /** @type {TpPosition[]} */
   const positions = [];
-  const lines = linesFor(program, (move) => {
+  const lines = yield* linesFor(program, (move) => {
     const place = (/** @type {typeof move.target} */ target) => {
       positions.push(positionFor(target, positions.length + 1, move, program));
       return register('P', positions.length);
@@ -26,7 +30,7 @@ export function writeTp(program, { programName = program.name } = {}) {
   const about = ['UFRAME 0 is the world, on axis 1 at the height of axis 2. UTOOL 0 is the flange.'];
   const listing = listingFor(name, program, [...headRemarks(program, about), ...lines], positions);
   return {
-    files: [{ name: `${name.toLowerCase()}.ls`, language: 'fanuc-tp', text: printTp(listing) }],
+    files: [{ name: `${name.toLowerCase()}.ls`, language: 'fanuc-tp', text: yield* printTpInSlices(listing) }],
     notes: [...(program.notes ?? []), ...missingConfigurations(program, 'fanuc'), ...fanucNotes(program)],
   };
 }

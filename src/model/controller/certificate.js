@@ -8,6 +8,7 @@
  * @import { CodeFile, NeutralProgram, WriteOptions, Written } from '../../karel/write/neutral.js'
  *
  * @typedef {(program: NeutralProgram, options?: WriteOptions) => Written} Writer
+ * @typedef {(program: NeutralProgram, options?: WriteOptions) => Generator<null, Written>} SlicedWriter
  * @typedef {{ millimetres: number, degrees: number, model: string, version: string }} Certificate
  * @typedef {'none' | 'altered' | 'other-files' | 'other-model' | 'valid'} CertificateStatus
  *   other-files: the text is as it was, those that came with it are not
@@ -59,10 +60,30 @@ const modelLine = (robot, version) =>
  * @returns {Written}
  */
 export function withCertificate(program, write, options, robot, deviation) {
-  const lines = [checkLine(deviation), modelLine(robot, program.version), BLANKS];
-  const written = write({ ...program, check: lines }, options);
+  const written = write(checkedProgram(program, robot, deviation), options);
   return { ...written, files: stamped(written.files) };
 }
+
+/**
+ * The same, in slices.
+ * @param {NeutralProgram} program
+ * @param {SlicedWriter} write
+ * @param {WriteOptions} options
+ * @param {RobotDoc} robot
+ * @param {Deviation} deviation
+ * @returns {Generator<null, Written>}
+ */
+export function* certifiedInSlices(program, write, options, robot, deviation) {
+  const written = yield* write(checkedProgram(program, robot, deviation), options);
+  yield null;
+  return { ...written, files: stamped(written.files) };
+}
+
+/** @param {NeutralProgram} program @param {RobotDoc} robot @param {Deviation} deviation @returns {NeutralProgram} */
+const checkedProgram = (program, robot, deviation) => ({
+  ...program,
+  check: [checkLine(deviation), modelLine(robot, program.version), BLANKS],
+});
 
 /**
  * Files that have the lines of a certificate, with another one in them.

@@ -7,7 +7,7 @@
  * @import { CodeSource } from './codeSource.js'
  * @import { MadeProgram } from './neutralProgram.js'
  * @import { CodeFile, WriteNote, Written } from '../../karel/write/neutral.js'
- * @import { Writer } from './certificate.js'
+ * @import { SlicedWriter } from './certificate.js'
  *
  * @typedef {object} CodeOptions
  * @property {string} [programName]     absent: from what it is written of
@@ -32,24 +32,25 @@
  * @property {readonly Issue[]} issues
  * @property {MadeProgram | null} made
  */
-import { writeKarelMove } from '../../karel/write/karelMove.js';
-import { writeKrl } from '../../karel/write/krl.js';
+import { writeKarelMoveInSlices } from '../../karel/write/karelMove.js';
+import { writeKrlInSlices } from '../../karel/write/krl.js';
 import { LARGEST_VALUE } from '../../karel/write/neutral.js';
-import { writePair } from '../../karel/write/pair.js';
-import { writeTp } from '../../karel/write/tp.js';
+import { writePairInSlices } from '../../karel/write/pair.js';
+import { writeTpInSlices } from '../../karel/write/tp.js';
 import { postureFromKernel } from '../compile.js';
+import { within } from '../inSlices.js';
 import { issue } from '../refusalParts.js';
-import { uncheckedLines, withCertificate } from './certificate.js';
+import { certifiedInSlices, uncheckedLines } from './certificate.js';
 import { postureIssues, robotIssues } from './controllerIssues.js';
 import { firstName, sourceProgram } from './codeSource.js';
 import { neutralInSlices } from './neutralProgram.js';
 
-/** In the order in which they are offered. @type {Readonly<Record<CodeFormat, { brand: 'fanuc' | 'kuka', write: Writer }>>} */
+/** In the order in which they are offered. @type {Readonly<Record<CodeFormat, { brand: 'fanuc' | 'kuka', write: SlicedWriter }>>} */
 export const FORMATS = {
-  pair: { brand: 'fanuc', write: writePair },
-  tp: { brand: 'fanuc', write: writeTp },
-  'karel-move': { brand: 'fanuc', write: writeKarelMove },
-  krl: { brand: 'kuka', write: writeKrl },
+  pair: { brand: 'fanuc', write: writePairInSlices },
+  tp: { brand: 'fanuc', write: writeTpInSlices },
+  'karel-move': { brand: 'fanuc', write: writeKarelMoveInSlices },
+  krl: { brand: 'kuka', write: writeKrlInSlices },
 };
 
 /** Position registers that a controller can be set up for (HandlingTool operator's manual, section 19). */
@@ -85,7 +86,8 @@ export function* writeCode(doc, request) {
   yield 1;
   if (all.some(({ severity }) => severity === 'error')) return { ...none, issues: all };
   const checked = { ...made.program, check: uncheckedLines(doc.robot, version) };
-  const written = write(checked, { ...options, programName: options.programName ?? firstName(doc, source) });
+  const options_ = { ...options, programName: options.programName ?? firstName(doc, source) };
+  const written = yield* within(write(checked, options_), 1);
   return { ...written, doc: asked, request, issues: all, made };
 }
 
@@ -93,13 +95,13 @@ export function* writeCode(doc, request) {
  * The same files with what a run of them has shown.
  * @param {WrittenCode} written  with files
  * @param {{ deviation: { millimetres: number, degrees: number } }} verification
- * @returns {readonly CodeFile[]}
+ * @returns {Generator<number, readonly CodeFile[]>}
  */
-export function certified({ doc, request, made }, { deviation }) {
+export function* certified({ doc, request, made }, { deviation }) {
   const { source, format, options } = request;
   if (!made) throw new RangeError('Expected code that was written, got none.');
   const asked = { ...options, programName: options.programName ?? firstName(doc, source) };
-  return withCertificate(made.program, FORMATS[format].write, asked, doc.robot, deviation).files;
+  return (yield* within(certifiedInSlices(made.program, FORMATS[format].write, asked, doc.robot, deviation), 1)).files;
 }
 
 /** What is to be known of the postures that become joint values. @param {Doc} doc @param {MadeProgram} made @returns {Issue[]} */

@@ -25,7 +25,8 @@ import { createCodeWriter } from './codeWriter.js';
 import { optionsForm } from './optionsForm.js';
 import { ownLine } from './ownLine.js';
 import { createVerifyPart } from './verifyPart.js';
-import { codeLines, writtenHead, writtenNotes } from './writtenView.js';
+import { createWrittenListing } from './writtenListing.js';
+import { writtenHead, writtenNotes } from './writtenView.js';
 
 /**
  * @param {Page} page
@@ -39,7 +40,7 @@ export function createCodePanel(page, host, { version, today }) {
   const whenLetGo = createPressGate(host, page.clock);
   const drawAnew = () => keepFocus(host, '[data-action]', draw);
   const redraw = () => whenLetGo(drawAnew);
-  const writer = createCodeWriter(page, { version, today, onChange: redraw });
+  const writer = createCodeWriter(page, { version, today, onChange: redraw, onProgress: () => showProgress() });
   /** @type {CodeRoom | null} */
   let room = null;
   /** Of the file that is shown. @type {string | null} */
@@ -113,22 +114,17 @@ export function createCodePanel(page, host, { version, today }) {
     redraw();
   }
 
-  /** A long text is made once. @type {{ file: CodeFile, element: HTMLElement } | null} */
+  /** A long text is made once. @type {{ file: CodeFile, listing: ReturnType<typeof createWrittenListing> } | null} */
   let listed = null;
   /** @param {CodeFile} file */
-  function textOf(file) {
-    if (listed?.file !== file) {
-      const label = CODE.text(file.name);
-      const element = h(
-        'pre',
-        { class: 'code', tabindex: 0, role: 'region', 'aria-label': label },
-        codeLines(file.text),
-      );
-      listed = { file, element };
-    }
-    return listed.element;
+  function listingOf(file) {
+    if (listed?.file !== file) listed = { file, listing: createWrittenListing(page, file) };
+    return listed.listing;
   }
 
+  /** What stands above the text: in an element of its own, so that a long text stays where it is. */
+  const above = h('div', { class: 'write-above' });
+  const underWay = h('p', { class: 'verify-note', role: 'status', hidden: true });
   /** A list of choices that is open stays so while code is being written. */
   let head = h('div');
   /** The options' form stays while somebody types in it. @type {{ key: string, element: HTMLElement } | null} */
@@ -139,7 +135,6 @@ export function createCodePanel(page, host, { version, today }) {
     if (ownChosen()) return fill(listing);
     if (isEmpty) return fill(listing, codeEmpty(doc.postures.length, refusal ? menu.element : null));
     const written = writer.written();
-    const progress = writer.progress();
     const key = JSON.stringify([
       writer.format(),
       writer.source(),
@@ -150,31 +145,26 @@ export function createCodePanel(page, host, { version, today }) {
     if (!areOptionsOpen) form = null;
     else if (form?.key !== key) form = { key, element: optionsForm(page, writer) };
     const areNotesOpen = listing.querySelector('.write-notes')?.hasAttribute('open') ?? false;
-    const { scrollTop } = listing.querySelector('pre') ?? { scrollTop: 0 };
     const file = writtenFiles()[Number(chosen?.split(' ')[1])];
     const nextHead = writtenHead(doc, writer, areOptionsOpen);
     if (!head.isEqualNode(nextHead)) head = nextHead;
-    fill(
-      listing,
-      head,
-      form?.element,
-      written && writtenNotes(written, areNotesOpen),
-      progress !== null &&
-        !file &&
-        h('p', { class: 'verify-note', role: 'status' }, WRITE.isWriting(fixed(100 * progress, 0))),
-      file ? textOf(file) : null,
-    );
-    const text = listing.querySelector('pre');
-    if (text) text.scrollTop = scrollTop;
-    for (const old of text?.querySelectorAll('.is-at') ?? []) {
-      old.classList.remove('is-at');
-      old.removeAttribute('aria-current');
+    fill(above, head, form?.element, written && writtenNotes(written, areNotesOpen), !file && underWay);
+    const before = listing.querySelector('pre');
+    const text = file ? listingOf(file) : null;
+    if (text?.element !== before || above.parentElement !== listing) {
+      const { scrollTop } = before ?? { scrollTop: 0 };
+      fill(listing, above, text?.element);
+      if (text) text.element.scrollTop = scrollTop;
     }
-    const at = line !== null && text?.children[line - 1];
-    if (!at) return;
-    at.classList.add('is-at');
-    at.setAttribute('aria-current', 'true');
-    at.scrollIntoView({ block: 'nearest' });
+    text?.mark(line);
+    showProgress();
+  }
+
+  /** What is being written: only this is another while it goes on. */
+  function showProgress() {
+    const progress = writer.progress();
+    underWay.hidden = progress === null;
+    if (progress !== null) underWay.textContent = WRITE.isWriting(fixed(100 * progress, 0));
   }
 
   /** The program of the document that is chosen, in its room. */

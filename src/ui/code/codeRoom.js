@@ -49,14 +49,15 @@ export function createCodeRoom(page, host, openProgram) {
   const nextProblem = h('button', { type: 'button', class: 'btn btn-outline', hidden: true }, CODE.goToProblem);
   const problemLine = h('div', { class: 'code-problems' }, problemText, nextProblem);
   const runHost = h('div', { class: 'code-run', hidden: true });
-  const limits = h('p', { class: 'code-limits' }, CODE.limits);
+  const limits = h('p', {}, CODE.limits);
+  const simulated = h('details', { class: 'code-limits' }, h('summary', {}, CODE.simulated), limits);
 
   const control = createRunControl(page, {
     onChange: () => whenLetGo(drawRun),
     isBreakpoint: ({ id, line: at }) => (stops.get(id) ?? []).includes(at),
   });
   const controls = createCodeControls(control, press);
-  fill(host, controls.element, editorHost, problemLine, runHost, limits);
+  fill(host, controls.element, editorHost, problemLine, runHost, simulated);
   const runView = createRunView(runHost, control);
   const previewer = createPreviewer(page, () => {
     showProblems();

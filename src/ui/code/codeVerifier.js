@@ -16,6 +16,7 @@
  * @property {readonly CodeFile[]} files      the first is the one to run
  * @property {() => Generator<number, { doc: Doc, made: MadeProgram | null, start: readonly number[] }>} prepare  what to compare with
  * @property {unknown} about                  whose it is: compared by identity
+ * @property {(verification: Verification) => Generator<number, readonly CodeFile[]>} [finish]  the files as they are to be saved
  */
 import { verifyInSlices } from '../../model/controller/verifyCode.js';
 import { inSlices } from '../../model/inSlices.js';
@@ -40,7 +41,7 @@ export function createCodeVerifier({ clock, messages }, onChange, onProgress) {
     /** @param {unknown} about @returns {Verified | null} */
     found: (about) => (last && last.about === about ? last.verified : null),
     /** @param {VerifyQuestion} question @param {(verified: Verified) => void} onDone  may change the fate */
-    ask({ files, prepare, about }, onDone) {
+    ask({ files: read, prepare, about, finish }, onDone) {
       cancel();
       [progress, asked, last] = [0, about, null];
       cancel = inSlices(job(), clock, {
@@ -48,7 +49,7 @@ export function createCodeVerifier({ clock, messages }, onChange, onProgress) {
           progress = share;
           onProgress();
         },
-        onDone(verification) {
+        onDone({ verification, files }) {
           progress = null;
           const verified = { files, verification, fate: /** @type {const} */ ('refused') };
           last = { about, verified };
@@ -65,7 +66,8 @@ export function createCodeVerifier({ clock, messages }, onChange, onProgress) {
 
       function* job() {
         const { doc, made, start } = yield* prepare();
-        return yield* verifyInSlices(doc, made, files, start);
+        const verification = yield* verifyInSlices(doc, made, read, start);
+        return { verification, files: finish ? yield* finish(verification) : read };
       }
     },
     /** What was found holds for the same code as another object, too. @param {unknown} about */

@@ -19,8 +19,9 @@ import { attempt } from '../page.js';
  * @param {string} given.version
  * @param {() => string} given.today   ISO 8601
  * @param {() => void} given.onChange  something of it is another
+ * @param {() => void} given.onProgress  it goes on; nothing else is another
  */
-export function createCodeWriter(page, { version, today, onChange }) {
+export function createCodeWriter(page, { version, today, onChange, onProgress }) {
   const { store, clock, messages } = page;
   /** Of robots whose maker has no language here: what was chosen last. @type {CodeFormat} */
   let usual = 'pair';
@@ -78,11 +79,12 @@ export function createCodeWriter(page, { version, today, onChange }) {
       return onChange();
     }
     progress = 0;
+    onProgress();
     const request = { source: now, format: format(), options: options(), start: start(), version };
     cancel = inSlices(writeCode(doc, { ...request, generatedAt: today().replace(/\.\d+/, '') }), clock, {
       onProgress(share) {
         progress = share;
-        onChange();
+        onProgress();
       },
       onDone(result) {
         [written, progress] = [result, null];

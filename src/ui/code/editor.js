@@ -69,6 +69,26 @@ export function createEditor(host, { onText, onLeave, onStops, onLine, onPoint, 
     return { from: word?.from ?? context.pos, options, validFor: /^[$]?\w*$/ };
   };
 
+  /** The line that is next stays in sight when the room for the text is another. */
+  let next = 0;
+  let height = 0;
+  /** @param {EditorView} view */
+  function keepNext({ scrollDOM: { clientHeight } }) {
+    if (height === clientHeight) return;
+    height = clientHeight;
+    bringInSight();
+  }
+  /** Within the editor alone: the page around it stays where a person has put it. */
+  function bringInSight() {
+    if (next === 0 || next > view.state.doc.lines) return;
+    const { scrollDOM } = view;
+    const { top, bottom } = view.lineBlockAt(view.state.doc.line(next).from);
+    const margin = Math.min(40, height / 3);
+    const [least, most] = [bottom + margin - scrollDOM.clientHeight, top - margin];
+    if (scrollDOM.scrollTop > most) scrollDOM.scrollTop = most;
+    else if (scrollDOM.scrollTop < least) scrollDOM.scrollTop = least;
+  }
+
   let pointed = 0;
   /** @param {number | null} line */
   function point(line) {
@@ -111,7 +131,8 @@ export function createEditor(host, { onText, onLeave, onStops, onLine, onPoint, 
       ...historyKeymap,
       ...defaultKeymap,
     ]),
-    EditorView.updateListener.of(({ docChanged, selectionSet, state, focusChanged, view }) => {
+    EditorView.updateListener.of(({ docChanged, selectionSet, state, focusChanged, geometryChanged, view }) => {
+      if (geometryChanged) keepNext(view);
       if (docChanged && !isSetting) onText(state.doc.toString());
       if (docChanged || selectionSet) onLine(state.doc.lineAt(state.selection.main.head).number);
       if (focusChanged && !view.hasFocus) onLeave();
@@ -124,6 +145,7 @@ export function createEditor(host, { onText, onLeave, onStops, onLine, onPoint, 
     /** Another program, or the same with another text than is here. @param {ProgramDoc} program @param {readonly number[]} lines  at which it stops */
     open(program, lines) {
       isSetting = true;
+      next = 0;
       view.setState(
         EditorState.create({
           doc: program.text,
@@ -170,10 +192,9 @@ export function createEditor(host, { onText, onLeave, onStops, onLine, onPoint, 
     /** @param {number | null} line */
     showNext(line) {
       view.dispatch({ effects: setNext.of(line) });
-      if (line === null || line > view.state.doc.lines) return;
-      view.dispatch({
-        effects: EditorView.scrollIntoView(view.state.doc.line(line).from, { y: 'nearest', yMargin: 40 }),
-      });
+      if (next === (line ?? 0)) return;
+      next = line ?? 0;
+      bringInSight();
     },
     /** @param {number} line */
     goTo(line) {

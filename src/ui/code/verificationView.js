@@ -14,6 +14,7 @@ import { h } from '../parts/dom.js';
 import { fixed } from '../parts/format.js';
 import { icon } from '../parts/icons.js';
 import { VERIFY } from '../words/writeCode.js';
+import { iconButton } from './writtenView.js';
 
 /** More than a person reads. */
 const MOST_FINDINGS = 200;
@@ -39,6 +40,7 @@ export function drawVerification({ verification, files, fate }, robot, isWhole) 
       h('p', {}, [fate === 'refused' ? VERIFY.notSaved : '', headline(verification, errors)].filter(Boolean).join(' ')),
       fate === 'refused' &&
         h('button', { type: 'button', class: 'btn btn-small btn-outline', 'data-action': 'force' }, VERIFY.saveAll),
+      iconButton('close-found', 'close', VERIFY.close),
     ),
     ...(moves.length > 0 ? [strip(verification)] : []),
     findingsList(findings, files.length > 1),

@@ -4,6 +4,7 @@
  * @import { Page } from '../page.js'
  * @import { Verified } from './codeVerifier.js'
  * @import { CodeWriter } from './codeWriter.js'
+ * @import { Verification } from '../../model/controller/verifyCode.js'
  * @import { ProgramDoc } from '../../model/document.js'
  * @import { CodeFile } from '../../karel/write/neutral.js'
  */
@@ -32,6 +33,8 @@ export function createVerifyPart(page, { writer, ownChosen, redraw, version, tod
   const { store, clock, announce } = page;
   const verifier = createCodeVerifier(page, redraw, draw);
   const element = h('section', { class: 'verify', 'aria-label': VERIFY.region, hidden: true });
+  /** What a person has read. @type {Verified | null} */
+  let closed = null;
 
   /** Whose code is shown. */
   const about = () => ownChosen() ?? writer.written();
@@ -79,6 +82,12 @@ export function createVerifyPart(page, { writer, ownChosen, redraw, version, tod
       found.fate = 'forced';
       save(found.files, VERIFY.savedUnverified);
       redraw();
+    })
+    .on('click', '[data-action=close-found]', () => {
+      closed = foundNow();
+      draw();
+      const again = element.parentElement?.querySelector('[data-action=verify]');
+      if (again instanceof HTMLElement) again.focus();
     });
 
   const bar = h('progress', { max: 1, 'aria-label': VERIFY.region });
@@ -93,7 +102,7 @@ export function createVerifyPart(page, { writer, ownChosen, redraw, version, tod
   function draw() {
     const [progress, found] = [verifier.progress(about()), foundNow()];
     const isWhole = element.querySelector('.verify-moves')?.hasAttribute('open') ?? false;
-    element.hidden = progress === null && found === null;
+    element.hidden = progress === null && (found === null || found === closed);
     if (progress !== null) {
       bar.value = progress;
       share.textContent = VERIFY.isRunning(fixed(100 * progress, 0));
@@ -112,11 +121,11 @@ export function createVerifyPart(page, { writer, ownChosen, redraw, version, tod
         yield 0;
         return { doc, made, start: request.start };
       },
+      *finish(/** @type {Verification} */ verification) {
+        return verification.matches ? yield* certified(written, verification) : files;
+      },
     };
-    verifier.ask(question, (found) => {
-      if (found.verification.matches) found.files = certified(written, found.verification);
-      saveIfSound(found);
-    });
+    verifier.ask(question, saveIfSound);
   }
 
   return {

@@ -76,7 +76,7 @@ export function writtenHead(doc, writer, isOpen) {
   );
 }
 
-/** @param {string} action @param {'copy' | 'download'} drawing @param {string} label */
+/** @param {string} action @param {'copy' | 'close'} drawing @param {string} label */
 export const iconButton = (action, drawing, label) =>
   h(
     'button',
@@ -119,10 +119,3 @@ export function writtenNotes({ issues, notes, files }, isOpen) {
     ),
   );
 }
-
-/** Each line an element of its own, so that the stylesheet can number them. @param {string} text */
-export const codeLines = (text) =>
-  text
-    .replace(/\r?\n$/, '')
-    .split(/\r?\n/)
-    .map((line) => h('span', { class: 'code-line' }, `${line}\n`));

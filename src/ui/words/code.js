@@ -117,8 +117,9 @@ export const CODE = {
   effect: (/** @type {string} */ what) => `${what}: has no effect on the simulated arm.`,
   posted: (/** @type {string} */ message) => `POST_ERR: ${message}`,
   taskAlarm: (/** @type {string} */ task, /** @type {string} */ reason) => `Task ${task} ended: ${reason}`,
+  simulated: 'Simulated; no controller has judged this',
   limits:
-    'Simulated; no controller has judged this. Every motion stops at its end, those of KAREL by joints go at full rates; one that is cancelled, stopped, held or skipped comes to rest on its way within 0.1 s, which is not how a controller brakes. Frame 0 is on axis 1, at the height of axis 2.',
+    'Every motion stops at its end, those of KAREL by joints go at full rates; one that is cancelled, stopped, held or skipped comes to rest on its way within 0.1 s, which is not how a controller brakes. Frame 0 is on axis 1, at the height of axis 2.',
   /** @param {string} name @param {string} mover  the TP program that it calls */
   template: (name, mover) => `PROGRAM ${name}
 -- Move the tool 50 mm up from where it is, and back:
@@ -155,7 +156,7 @@ DEFAULT_GROUP\t= 1,*,*,*,*;
 /END
 `,
   limitsKrl:
-    'Simulated; no controller has judged this. KRL is read and run here as far as this page writes it; every motion stops at its end. BASE 0 is taken to be the world.',
+    'KRL is read and run here as far as this page writes it; every motion stops at its end. BASE 0 is taken to be the world.',
   tpTemplate: (/** @type {string} */ name) => `/PROG  ${name.toUpperCase()}
 /ATTR
 COMMENT\t\t= "up and back";

@@ -42,6 +42,7 @@ export const VERIFY = {
   saved: (/** @type {string} */ names) => `Saved: ${names}.`,
   notSaved: 'Not saved.',
   saveAll: 'Save all the same',
+  close: 'Close what was found',
   savedUnverified: (/** @type {string} */ names) => `Saved though it is not verified: ${names}.`,
   good: (/** @type {string} */ mm, /** @type {string} */ deg) =>
     `Read again and run on the model: ${mm} mm and ${deg}° from the program at most.`,
@@ -75,7 +76,7 @@ export const VERIFY = {
   noFindings: 'Nothing else was found.',
   findings: 'What was found',
   rounding: (/** @type {string} */ mm, /** @type {string} */ deg) =>
-    `Of it, the decimals of the language cost ${mm} mm and ${deg}° at most.`,
+    `The decimals of the language may cost up to ${mm} mm and ${deg}°.`,
   more: (/** @type {number} */ count) => `${count} more`,
 };
 

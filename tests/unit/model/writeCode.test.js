@@ -270,7 +270,7 @@ test('ways by splines and blends are joint moves in code, and what that costs is
     expect(verification.matches).toBe(true);
     expect(verification.deviation.millimetres).toBeGreaterThan(5);
     expect(verification.findings.filter(({ code }) => code === 'lost-law')).toHaveLength(3);
-    const [first] = certified(written, verification);
+    const [first] = atOnce(certified(written, verification));
     expect(first.text).toContain(`Check ${(Math.ceil(verification.deviation.millimetres * 1e4) / 1e4).toFixed(4)}mm`);
     if (format === 'tp') expect(first.text).toMatch(/J P\[2\] 40% CNT100/);
   }
@@ -286,7 +286,7 @@ test('the texts of a document know their files, their sets and their certificate
   const doc = recorded(FANUC_LIKE, REST, [0, 10, 0, 0, 10, 0]);
   for (const format of FORMATS) {
     const written = writtenOf(doc, format);
-    const files = certified(written, verifyCode(written.doc, written.made, written.files));
+    const files = atOnce(certified(written, verifyCode(written.doc, written.made, written.files)));
     expect(certificateStatus(files, doc.robot)).toEqual(files.map(() => 'valid'));
     const programs = files.map(({ name, language, text }) => ({
       ...{ id: name.replace('.', '_').replace(/_(kl|ls|src)$/, ''), language },

@@ -1,0 +1,54 @@
+/**
+ * The text of a written file, with its lines' numbers. It is made some lines at a time, and the browser lays out only what is
+ * looked at: programs of thousands of lines hold nobody up.
+ *
+ * @import { CodeFile } from '../../karel/write/neutral.js'
+ * @import { Page } from '../page.js'
+ */
+import { inSlices } from '../../model/inSlices.js';
+import { h } from '../parts/dom.js';
+import { CODE } from '../words/code.js';
+
+/** Lines of a piece. */
+const PIECE = 100;
+
+/** @param {Page} page @param {CodeFile} file */
+export function createWrittenListing({ clock, messages }, { name, text }) {
+  const lines = text.replace(/\r?\n$/, '').split(/\r?\n/);
+  const element = h('pre', { class: 'code', tabindex: 0, role: 'region', 'aria-label': CODE.text(name) });
+  const making = pieces();
+  making.next(); // what is seen at once
+  inSlices(making, clock, { onDone() {}, onFault: messages.fault });
+  /** @type {Element | null} */
+  let marked = null;
+
+  function* pieces() {
+    for (let first = 0; first < lines.length; first += PIECE) {
+      const piece = h(
+        'span',
+        { class: 'code-piece' },
+        // each line an element of its own, so that the stylesheet can number them
+        lines.slice(first, first + PIECE).map((line) => h('span', { class: 'code-line' }, `${line}\n`)),
+      );
+      piece.style.counterReset = `line ${first}`;
+      element.append(piece);
+      yield first / lines.length;
+    }
+  }
+
+  return {
+    element,
+    /** The line that was asked for, in sight; null: none. @param {number | null} line  from 1 */
+    mark(line) {
+      marked?.classList.remove('is-at');
+      marked?.removeAttribute('aria-current');
+      marked = null;
+      if (line === null) return;
+      while (!making.next().done);
+      marked = element.children[Math.floor((line - 1) / PIECE)]?.children[(line - 1) % PIECE] ?? null;
+      marked?.classList.add('is-at');
+      marked?.setAttribute('aria-current', 'true');
+      marked?.scrollIntoView({ block: 'nearest' });
+    },
+  };
+}

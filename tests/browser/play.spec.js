@@ -177,4 +177,6 @@ test('a program is played, stepped and scrubbed; its plots follow; an edit chang
   await ticking(page, () => page.locator('.steps tr.is-chosen').isVisible());
   await expect(page.locator('.steps tr.is-chosen .step-no')).toHaveText('3');
   await expect(page.getByRole('status').filter({ hasText: 'leads through a singularity 3' })).toHaveCount(1);
+  const check = page.getByRole('region', { name: 'Clearance of the program' });
+  await ticking(page, async () => (await check.textContent())?.includes('proven up to where the program stops'));
 });

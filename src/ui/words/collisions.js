@@ -8,10 +8,9 @@ export const COLLISIONS = {
   cancel: 'Cancel',
   given: 'Whether the program keeps clear was not looked at to the end.',
   again: 'Look again',
-  clear: (/** @type {string} */ margin, /** @type {number} */ count) =>
-    `Keeps ${margin} clear of ${count === 1 ? 'the obstacle' : `${count} obstacles`}, and of itself: proven all along, to 1 mm.`,
-  clearOfItself: 'The arm does not touch itself: proven all along, to 1 mm.',
-  clearNow: 'The program keeps clear.',
+  clear: (/** @type {string} */ margin, /** @type {number} */ count, /** @type {boolean} */ isWhole) =>
+    `Keeps ${margin} clear of ${count === 1 ? 'the obstacle' : `${count} obstacles`}, and of itself: ${proven(isWhole)}.`,
+  clearOfItself: (/** @type {boolean} */ isWhole) => `The arm does not touch itself: ${proven(isWhole)}.`,
   notClear: 'Not clear in step',
   toStep: /** @type {OfStep} */ ((step) => `To step ${step}, which is not clear`),
   /** Short, at the step. */
@@ -48,3 +47,6 @@ export const COLLISIONS = {
   goal: (/** @type {string} */ link, /** @type {string} */ what) =>
     `There is no way to look for: where the move ends, ${link} is too near to ${what}.`,
 };
+
+/** @param {boolean} isWhole  whether all of the program can be moved */
+const proven = (isWhole) => `proven ${isWhole ? 'all along' : 'up to where the program stops'}, to 1 mm`;

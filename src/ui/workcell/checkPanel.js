@@ -116,7 +116,9 @@ export function createCheckPanel(page, cells, choose) {
       } else if (!check.touches) fill(state, COLLISIONS.given, ' ', button(COLLISIONS.again, again));
       else if (check.touches.length === 0) {
         state.classList.add('is-clear');
-        fill(state, icon('checkCircle'), h('span', {}, clearText(marginText(margin, units), doc.obstacles.length)));
+        const isWhole = check.planned.plan.refused === null;
+        const text = clearText(marginText(margin, units), doc.obstacles.length, isWhole);
+        fill(state, icon('checkCircle'), h('span', {}, text));
       } else {
         state.classList.add('is-touching');
         fill(state, icon('octagon'), h('span', {}, COLLISIONS.notClear), ...links(check.touches));
@@ -124,7 +126,7 @@ export function createCheckPanel(page, cells, choose) {
       if (!check.touches || check.touches === said) return;
       said = check.touches;
       if (said.length > 0) announce(said.map((one) => touchSentence(one, margin, units)).join(' '));
-      else if (doc.obstacles.length > 0) announce(COLLISIONS.clearNow); // that it does not touch itself goes without saying
+      else if (doc.obstacles.length > 0) announce(state.textContent ?? ''); // that it does not touch itself goes without saying
     },
   );
   finder.onChange(() => {
@@ -137,5 +139,6 @@ export function createCheckPanel(page, cells, choose) {
   return element;
 }
 
-/** @param {string} margin @param {number} count  of obstacles */
-const clearText = (margin, count) => (count === 0 ? COLLISIONS.clearOfItself : COLLISIONS.clear(margin, count));
+/** @param {string} margin @param {number} count  of obstacles @param {boolean} isWhole  whether all of the program can be moved */
+const clearText = (margin, count, isWhole) =>
+  count === 0 ? COLLISIONS.clearOfItself(isWhole) : COLLISIONS.clear(margin, count, isWhole);

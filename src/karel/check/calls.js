@@ -36,6 +36,12 @@ export function typeOfCallOf(node, args, context, needsValue) {
   };
   if (symbol?.kind === 'routine') {
     context.symbolOf.set(node, symbol);
+    if (context.isCondition)
+      context.scope.report(
+        'condition-call',
+        `Expected ports, variables and constants in a condition, got a call of "${node.name}".`,
+        node.span,
+      );
     checkArguments(node, args, symbol, context);
     return given(symbol.returns);
   }

@@ -11,6 +11,8 @@
  * @property {Type[]} using                       structures whose fields are named alone
  * @property {Designator[]} usingNodes
  * @property {RoutineSymbol | null} routine
+ * @property {boolean} [isHandler]                in a global condition handler
+ * @property {boolean} [isCondition]
  * @property {Map<object, Type>} typeOf
  * @property {Map<object, Symbol>} symbolOf
  * @property {Map<object, Designator>} usingOf    the structure that a name alone is a field of

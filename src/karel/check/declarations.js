@@ -48,6 +48,10 @@ import * as types from './types.js';
 
 /** Names up to so many characters are safe on every controller; longer ones are met, and taken. */
 const LONGEST_NAME = 12;
+/** More than a controller has room for, and less than would freeze a page. */
+const MOST_VALUES = 1_000_000;
+const MOST_OWN_VALUES = 20_000;
+const HALF_RANGE = 2 ** 31;
 export const NOWHERE = { start: 0, end: 0, line: 1, column: 1 };
 
 /** @param {readonly Declaration[]} declarations @param {Scope} scope */
@@ -93,7 +97,15 @@ export function declareConstant({ name, value, span }, scope, names) {
   const folded = constantValue(value, names, scope.globals);
   if (folded === null && !scope.hasGaps)
     scope.report('constant', `Expected a number, a string or another constant for "${name}".`, value.span ?? span);
-  const symbol = folded ?? { type: types.UNKNOWN, value: 0 };
+  const number = typeof folded?.value === 'number' ? folded.value : 0;
+  const isFit = folded?.type === types.REAL ? Number.isFinite(number) : Math.abs(number + 0.5) < HALF_RANGE;
+  if (!isFit)
+    scope.report(
+      'constant',
+      `Expected a constant that fits into ${types.typeText(folded?.type ?? types.INTEGER)}, got ${number}.`,
+      value.span ?? span,
+    );
+  const symbol = isFit && folded ? folded : { type: types.UNKNOWN, value: 0 };
   names.set(name.toUpperCase(), { kind: 'constant', name, ...symbol });
 }
 
@@ -123,9 +135,10 @@ export function constantValue(node, ...scopes) {
       const [left, right] = [node.left, node.right].map((side) => constantValue(side, ...scopes));
       if (!left || !right || typeof left.value !== 'number' || typeof right.value !== 'number') return null;
       const type = left.type === types.REAL || right.type === types.REAL ? types.REAL : types.INTEGER;
-      if (node.operator === '+') return { type, value: left.value + right.value };
-      if (node.operator === '-') return { type, value: left.value - right.value };
-      return node.operator === '*' ? { type, value: left.value * right.value } : null;
+      const held = (/** @type {number} */ value) => ({ type, value: type === types.REAL ? Math.fround(value) : value });
+      if (node.operator === '+') return held(left.value + right.value);
+      if (node.operator === '-') return held(left.value - right.value);
+      return node.operator === '*' ? held(left.value * right.value) : null;
     }
     default:
       return null;
@@ -213,6 +226,16 @@ export function declareVariables(
   { isGlobal = false, isParameter = false, next },
 ) {
   const resolved = resolveType(type, scope);
+  const count = isParameter ? 0 : types.countOf(resolved) * list.length;
+  const [most, where] = isGlobal ? [MOST_VALUES, 'of a program'] : [MOST_OWN_VALUES, "of a routine's own"];
+  if (!(count <= most))
+    scope.report(
+      'too-large',
+      count === Infinity
+        ? `Expected a type that does not hold itself, got ${types.typeText(resolved)}.`
+        : `Expected variables ${where} that hold at most ${most} values, got ${count}.`,
+      span,
+    );
   return list.map((name, i) => {
     const place = nameSpans?.[i] ?? span ?? NOWHERE;
     checkNew(name, scope, names, place);

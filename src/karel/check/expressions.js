@@ -63,6 +63,12 @@ function typeOfName(node, context) {
     if (symbol.kind === 'routine')
       return typeOfCall({ kind: 'call', name: node.name, args: [], span: node.span }, context, true);
     if (symbol.kind === 'variable') symbol.isUsed = true;
+    if (context.isHandler && symbol.kind === 'variable' && !symbol.isGlobal)
+      context.scope.report(
+        'handler-local',
+        `Expected variables of the program in a condition handler, got "${node.name}", which is the routine's own.`,
+        node.span,
+      );
     return symbol.type;
   }
   const constant = PREDEFINED.get(upper);

@@ -1,12 +1,13 @@
 /**
  * Statements, checked one by one.
  *
- * @import { Clause, Conditions, Designator, Expression, Item, MoveTarget, Statement } from '../tree.js'
+ * @import { Designator, Expression, Item, MoveTarget, Statement } from '../tree.js'
  * @import { Context } from './context.js'
  * @import { Type } from './types.js'
  */
 import { PREDEFINED_FILES } from './constants.js';
 import { isIncomplete } from './calls.js';
+import { checkClauses, checkConditions, need } from './conditions.js';
 import { isDesignator, markSet } from './context.js';
 import { typeOfCall, typeOfExpression } from './expressions.js';
 import * as types from './types.js';
@@ -14,15 +15,6 @@ import * as types from './types.js';
 /** @param {readonly Statement[]} body @param {Context} context */
 export function checkBody(body, context) {
   for (const statement of body) checkStatement(statement, context);
-}
-
-/** @param {Expression} node @param {Context} context @param {string} expected @param {(type: Type) => boolean} isRight */
-function need(node, context, expected, isRight) {
-  const type = typeOfExpression(node, context);
-  if (!types.isUnknown(type) && !isRight(type)) {
-    context.scope.report('type', `Expected ${expected}, got ${types.typeText(type)}.`, node.span);
-  }
-  return type;
 }
 
 const isBoolean = (/** @type {Type} */ { kind }) => kind === 'BOOLEAN';
@@ -156,7 +148,8 @@ function checkStatement(statement, context) {
     }
     case 'condition':
       needWhole(statement.number, context);
-      checkClauses(statement.clauses, context);
+      for (const { value } of statement.settings ?? []) needWhole(value, context);
+      checkClauses(statement.clauses, context, checkBody, true);
       return;
     case 'handler-control':
     case 'signal':
@@ -176,7 +169,7 @@ function checkStatement(statement, context) {
     case 'move':
       for (const { value } of statement.settings ?? []) typeOfExpression(value, context);
       checkMove(statement.target, context);
-      checkClauses(statement.when ?? [], context);
+      checkClauses(statement.when ?? [], context, checkBody);
       for (const conditions of statement.until ?? []) checkConditions(conditions, context);
       return;
     case 'motion-control':
@@ -187,24 +180,6 @@ function checkStatement(statement, context) {
     case 'label':
     case 'goto':
     case 'action':
-  }
-}
-
-/** @param {readonly Clause[]} clauses @param {Context} context */
-function checkClauses(clauses, context) {
-  for (const { conditions, actions } of clauses) {
-    checkConditions(conditions, context);
-    checkBody(actions, context);
-  }
-}
-
-/** @param {Conditions} conditions @param {Context} context */
-function checkConditions({ terms }, context) {
-  for (const term of terms) {
-    if (term.kind === 'occurrence') {
-      if (term.argument && term.argument !== '*') needWhole(term.argument, context);
-    } else if (term.kind === 'edge') typeOfExpression(term.port, context);
-    else need(term, context, 'a condition', isBoolean);
   }
 }
 
@@ -226,7 +201,8 @@ function checkItem(item, kind, context) {
     markSet(value, context);
     if (!isDesignator(value)) context.scope.report('read', 'Expected a variable to READ into.', value.span);
   }
-  if (type.kind === 'STRUCTURE' || type.kind === 'PATH' || type.kind === 'FILE') {
+  const isPart = type.kind === 'VECTOR' || type.kind === 'ARRAY' || type.kind === 'CONFIG' || types.isPosition(type);
+  if (type.kind === 'STRUCTURE' || type.kind === 'PATH' || type.kind === 'FILE' || (kind === 'read' && isPart)) {
     context.scope.report(
       'item',
       `Expected something that can be ${kind === 'read' ? 'read' : 'written'}, got ${types.typeText(type)}.`,

@@ -83,6 +83,20 @@ export function typeText(type) {
   return (type.kind === 'STRUCTURE' || type.kind === 'OPAQUE') && type.name ? type.name : type.kind;
 }
 
+/** How many values a variable holds; of a path, its header and a node. Infinity: it holds itself. @param {Type} type @param {readonly Type[]} [around] @returns {number} */
+export function countOf(type, around = []) {
+  if (around.includes(type)) return Infinity;
+  const inner = [...around, type];
+  if (type.kind === 'ARRAY')
+    return (type.sizes ?? []).reduce((product, size) => product * size, 1) * countOf(type.of ?? UNKNOWN, inner);
+  const parts =
+    type.kind === 'STRUCTURE' ? [...(type.fields?.values() ?? [])] : [type.node, type.header].filter((one) => !!one);
+  return Math.max(
+    1,
+    parts.reduce((sum, part) => sum + countOf(part, inner), 0),
+  );
+}
+
 const VECTOR_FIELDS = Object.fromEntries(['X', 'Y', 'Z'].map((name) => [name, REAL]));
 const XYZWPR_FIELDS = { ...Object.fromEntries([...'XYZWPR'].map((name) => [name, REAL])), CONFIG_DATA: CONFIG };
 

@@ -3,12 +3,15 @@
  * short as they are, and everybody asks this file.
  */
 
+import { MAX_STRING_LENGTH } from '../words.js';
+
 /** From here on with an exponent. */
 const LARGE = 1e9;
 
 /** @param {unknown} value @param {boolean} isReal @param {readonly number[]} [formats] width, and decimals or base @returns {string} */
 export function writtenText(value, isReal, formats = []) {
-  const [width = 0, second] = formats;
+  const [asked = 0, second] = formats;
+  const width = Math.min(asked, MAX_STRING_LENGTH);
   if (value === undefined) return '***';
   if (Array.isArray(value))
     return value
@@ -44,7 +47,7 @@ function realDigits(value, decimals) {
 export function convertedReal(value, length, decimals) {
   const places = Math.min(Math.max(decimals, 0), 14);
   const digits = (Math.abs(value) < 1 ? cutDecimals(value, places) : value.toFixed(places)).replace(/^(-?)0\./, '$1.');
-  return ` ${digits}`.padStart(length);
+  return ` ${digits}`.padStart(Math.min(length, MAX_STRING_LENGTH));
 }
 
 /** A REAL is good for seven digits; those behind the wanted ones are left out. @param {number} value @param {number} places */
@@ -54,4 +57,5 @@ function cutDecimals(value, places) {
 }
 
 /** As CNV_INT_STR gives it: a leading blank. @param {number} value @param {number} length @param {number} base */
-export const convertedWhole = (value, length, base) => ` ${wholeDigits(value, base || 10)}`.padStart(length);
+export const convertedWhole = (value, length, base) =>
+  ` ${wholeDigits(value, base || 10)}`.padStart(Math.min(length, MAX_STRING_LENGTH));

@@ -47,8 +47,8 @@ function compileTerm(term, i, compiler) {
 
 /** @typedef {(body: Body, compiler: Compiler) => void} CompileBody */
 
-/** Conditions with what is done where they are met. @param {readonly Clause[]} clauses @param {readonly Conditions[]} cancels  of the motion @param {Compiler} compiler @param {CompileBody} compileBody @returns {number} the handler's index */
-export function compileClauses(clauses, cancels, compiler, compileBody) {
+/** Conditions with what is done where they are met; of a MOVE the actions share the variables of its routine. @param {readonly Clause[]} clauses @param {readonly Conditions[]} cancels  of the motion @param {Compiler} compiler @param {CompileBody} compileBody @param {boolean} [isOfMove] @returns {number} the handler's index */
+export function compileClauses(clauses, cancels, compiler, compileBody, isOfMove = false) {
   const { image } = compiler.linker;
   const conditions = [...clauses.map((clause) => clause.conditions), ...cancels].map((one) =>
     compileConditions(one, compiler),
@@ -64,6 +64,7 @@ export function compileClauses(clauses, cancels, compiler, compileBody) {
       initial: [],
     };
     const inner = createCompiler(compiler.linker, compiler.analysis, code, null);
+    if (isOfMove) inner.temporary = compiler.temporary;
     inner.line = clause.span?.line ?? compiler.line;
     image.codes.push(code);
     const index = image.codes.length - 1;

@@ -172,11 +172,11 @@ export function currentLine({ state, image }) {
   return frame ? (image.codes[frame.code].lines[frame.pc] ?? 0) : 0;
 }
 
-/** Push a routine onto a task. @param {Machine} machine @param {Task} task @param {number} code @param {Value[]} args references @param {number} result */
-export function pushFrame(machine, task, code, args, result) {
+/** Push a routine onto a task. @param {Machine} machine @param {Task} task @param {number} code @param {Value[]} args references @param {number} result @param {Value[]} [shared]  instead of locals of its own */
+export function pushFrame(machine, task, code, args, result, shared) {
   if (task.frames.length > 500) throw new Alarm('routines call each other too deeply', 'stack');
   const { slots, initial } = machine.image.codes[code];
-  const locals = new Array(slots);
+  const locals = shared ?? new Array(slots);
   for (let i = 0; i < args.length; i++) locals[i] = args[i];
   for (let i = args.length; i < initial.length; i++) locals[i] = initial[i](machine);
   task.frames.push({ code, pc: 0, locals, result });

@@ -48,7 +48,7 @@ export function compileMove({ target, settings = [], nowait, when = [], until = 
   );
   // each is watched by itself: one that fires leaves the others
   const handlers = [
-    ...when.map((clause) => compileClauses([clause], [], compiler, compileBody)),
+    ...when.map((clause) => compileClauses([clause], [], compiler, compileBody, true)),
     ...until.map((conditions) => compileClauses([], [conditions], compiler, compileBody)),
   ];
   const own = compiler.temporary();

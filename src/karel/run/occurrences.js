@@ -40,7 +40,7 @@ export function scanHandlers(machine, event) {
         if (!isMet(machine, frame, handler.before[i], event)) continue;
         handler.isEnabled = false;
         if (actions[i] === CANCELS) cancelMotion(arm);
-        else pushFrame(machine, task, actions[i], [], -1);
+        else pushFrame(machine, task, actions[i], [], -1, handler.depth === undefined ? undefined : frame.locals);
         // What interrupts does not wait for what it interrupts; the wait is looked at again afterwards.
         task.wake = Math.min(task.wake, state.time);
         break;

@@ -15,7 +15,7 @@ import { scanHandlers } from './occurrences.js';
 import { linkedProgram } from './programs.js';
 import { compileDelay, compilePend, compilePulse } from './time.js';
 import { compileFileStatement, compileTransfer } from './transfer.js';
-import { Alarm, copied, number, single, text, truth, whole } from './values.js';
+import { Alarm, copied, number, single, text, truth } from './values.js';
 
 /** @param {readonly Statement[]} body @param {Compiler} compiler */
 export function compileBody(body, compiler) {
@@ -237,7 +237,9 @@ function compileFor({ variable, from, to, down, body }, compiler) {
   compileBody(body, compiler);
   compiler.emit((machine, frame) => {
     const { holder, key } = at(machine, frame);
-    holder[key] = whole(number(holder[key]) + step);
+    const further = number(holder[key]) + step;
+    if (further !== (further | 0)) return end; // it was the last INTEGER
+    holder[key] = further;
     return next - 1;
   });
   end = compiler.here();

@@ -3,7 +3,7 @@
  *
  * A line is a name, parameters, and behind > what a function gives. A parameter is `name:type`, with * before it where the
  * variable is set, and ? where it may be left out. Types: I integer, R real, N either, S string, B boolean, P any position,
- * V vector, C config, A array, H path, F file, X anything.
+ * J joint values, K a Cartesian position, V vector, C config, A array, H path, F file, X anything.
  *
  * From the public record of the language; where the sources disagree, the entry says so. ATAN2 takes (x, y) here, by
  * evidence of programs that were run; a list of built-ins says (y, x).
@@ -25,22 +25,23 @@ ATAN2 x:R y:R > R
 POS x:R y:R z:R w:R p:R r:R config:C > XYZWPR
 UNPOS position:P *x:R *y:R *z:R *w:R *p:R *r:R *config:C
 INV position:P > POSITION
+MIRROR position:P frame:P turns:B > POSITION
 FRAME origin:P on_x:P on_xy:P ?second:P > POSITION
 APPROACH position:P > V
 ORIENT position:P > V
 NORMAL position:P > V
 CURPOS limits:I speeds:I ?group:I > XYZWPREXT
 CURJPOS limits:I speeds:I ?group:I > JOINTPOS
-CNV_JPOS_REL joints:P *values:A *status:I
-CNV_REL_JPOS values:A *joints:P *status:I
+CNV_JPOS_REL joints:J *values:A *status:I
+CNV_REL_JPOS values:A *joints:J *status:I
 CNV_CONF_STR config:C *text:S
 CNV_STR_CONF text:S *config:C *status:I
 IN_RANGE position:P ?group:I > B
-J_IN_RANGE joints:P ?group:I > B
+J_IN_RANGE joints:J ?group:I > B
 CHECK_EPOS position:P user_frame:P tool:P *status:I ?group:I
-JOINT2POS joints:P user_frame:P tool:P reference:X *position:P *config:X *ext:A *status:I
-POS2JOINT reference:P position:P user_frame:P tool:P config_ref:X config:X ext:A *joints:P *status:I
-SET_PERCH joints:P tolerances:A *status:I
+JOINT2POS joints:J user_frame:P tool:P reference:X *position:K *config:X *ext:A *status:I
+POS2JOINT reference:P position:P user_frame:P tool:P config_ref:X config:X ext:A *joints:J *status:I
+SET_PERCH joints:J tolerances:A *status:I
 GET_REG number:I *is_real:B *integer:I *real:R *status:I
 SET_INT_REG number:I value:I *status:I
 SET_REAL_REG number:I value:R *status:I
@@ -48,7 +49,7 @@ GET_POS_REG number:I *status:I ?group:I > XYZWPREXT
 SET_POS_REG number:I position:P *status:I ?group:I
 SET_EPOS_REG number:I position:P *status:I ?group:I
 GET_JPOS_REG number:I *status:I ?group:I > JOINTPOS
-SET_JPOS_REG number:I joints:P *status:I ?group:I
+SET_JPOS_REG number:I joints:J *status:I ?group:I
 CLR_POS_REG number:I group:I *status:I
 POS_REG_TYPE number:I group:I *type:I *axes:I *status:I
 GET_STR_REG number:I *text:S *status:I
@@ -108,6 +109,7 @@ SET_PORT_VAL type:I number:I value:I *status:I
 GET_PORT_SIM type:I number:I *simulated:B *status:I
 SET_PORT_SIM type:I number:I value:I *status:I
 POST_ERR code:I text:S cause:I severity:I
+ERR_DATA *number:I *code:I *text:S *cause:I *cause_text:S *time:I *severity:I *program:S
 GET_TIME *time:I
 GET_USEC_TIM > I
 FORCE_SPMENU device:I menu:I screen:I
@@ -127,10 +129,10 @@ const WITHOUT_SIGNATURE = new Set(
    APPEND_QUEUE CHECK_DICT CHECK_NAME CLEAR CLOSE_TPE CLR_PORT_SIM CNC_DYN_DISB CNC_DYN_DISE CNC_DYN_DISI CNC_DYN_DISP
    CNC_DYN_DISR CNC_DYN_DISS CNCL_STP_MTN COMPARE_FILE COPY_QUEUE COPY_TPE CREATE_TPE CREATE_VAR DEF_SCREEN DEF_WINDOW
    DELETE_QUEUE DEL_INST_TPE DET_WINDOW DISCTRL_ALPH DISCTRL_FORM DISCTRL_LIST DISCTRL_PLMN DISCTRL_SBMN DISCTRL_TBL
-   DISMOUNT_DEV DOSFILE_INF ERR_DATA FILE_LIST FORMAT_DEV GET_ATTR_PRG GET_JPOS_TPE GET_PORT_ASG GET_PORT_ATR GET_PORT_CMT
+   DISMOUNT_DEV DOSFILE_INF FILE_LIST FORMAT_DEV GET_ATTR_PRG GET_JPOS_TPE GET_PORT_ASG GET_PORT_ATR GET_PORT_CMT
    GET_PORT_MOD GET_POS_FRM GET_POS_TPE GET_POS_TYP GET_PREG_CMT GET_QUEUE GET_TCP_INFO GET_USER_NAME INIT_QUEUE INIT_TBL
    INI_DYN_DISB INI_DYN_DISE INI_DYN_DISI INI_DYN_DISP INI_DYN_DISR INI_DYN_DISS INSERT_QUEUE IO_MOD_TYPE KCL_STATUS LOAD
-   LOAD_STATUS LOCK_GROUP MIRROR MODIFY_QUEUE MOUNT_DEV MOVE_FILE OPEN_TPE POST_ERR_L POP_KEY_RD PRINT_FILE PROG_LIST
+   LOAD_STATUS MODIFY_QUEUE MOUNT_DEV MOVE_FILE OPEN_TPE POST_ERR_L POP_KEY_RD PRINT_FILE PROG_LIST
    PROG_BACKUP PROG_CLEAR PROG_RESTORE PUSH_KEY_RD PURGE_DEV QUEUE_TYPE READ_DICT READ_DICT_V READ_KB REMOVE_DICT RENAME_VAR
    RENAME_VARS RESET SAVE SAVE_DRAM SELECT_TPE SEND_DATAPC SEND_EVENTPC SET_ATTR_PRG SET_CURSOR SET_EPOS_TPE SET_JPOS_TPE
    SET_LANG SET_PORT_ASG SET_PORT_ATR SET_PORT_CMT SET_PORT_MOD SET_POS_TPE SET_TIME SET_TRNS_TPE SET_TSK_ATTR SET_TSK_NAME
@@ -185,5 +187,5 @@ export const WORDS = {
     V: 'VECTOR',
     C: 'CONFIG',
   },
-  ...{ A: 'ARRAY', H: 'PATH', F: 'FILE', X: 'anything', '=': 'the same' },
+  ...{ J: 'JOINTPOS', K: 'a Cartesian position', A: 'ARRAY', H: 'PATH', F: 'FILE', X: 'anything', '=': 'the same' },
 };

@@ -108,7 +108,7 @@ function typeOfBuiltin(node, args, builtin, context) {
           'warning',
         );
     } else if (builtin.name === 'UNINIT' || parameter.type === 'H' || parameter.type === 'F') markSet(arg, context);
-    if (!isOfType(args[i], parameter.type)) {
+    if (!isOfType(args[i], parameter.type, parameter.isSet)) {
       context.scope.report(
         'argument-type',
         `Expected ${WORDS[parameter.type]} for "${parameter.name}" of ${builtin.name}, got ${types.typeText(args[i])}.`,
@@ -126,10 +126,12 @@ const GIVEN = {
   ...{ XYZWPR: types.XYZWPR, XYZWPREXT: types.XYZWPREXT, POSITION: types.POSITION, JOINTPOS: types.JOINTPOS },
 };
 
-/** @param {Type} type @param {string} letter */
-function isOfType(type, letter) {
+/** @param {Type} type @param {string} letter @param {boolean} isSet  a whole number is good for a REAL, but does not hold one */
+function isOfType(type, letter, isSet) {
   if (types.isUnknown(type) || letter === 'X') return true;
   if (letter === 'P') return types.isPosition(type);
+  if (letter === 'K') return types.isPosition(type) && type.kind !== 'JOINTPOS';
+  if (letter === 'R' && isSet) return type.kind === 'REAL';
   if (letter === 'N' || letter === 'R') return types.isNumber(type);
   if (letter === 'I') return types.isWhole(type);
   return WORDS[letter] === type.kind;

@@ -6,8 +6,9 @@
 import { held, put } from './builtinsMath.js';
 import { abortTask } from './endings.js';
 import { scanHandlers } from './occurrences.js';
+import { hasNumber } from './places.js';
 import { asPosition, isJoints } from './positions.js';
-import { Alarm, copied, list, number, numbers, record, single, text } from './values.js';
+import { Alarm, copied, list, number, numbers, record, single, text, truth } from './values.js';
 
 /** By the numbers of GET_PORT_VAL. */
 const PORT_TYPES = /** @type {Readonly<Record<number, string>>} */ ({
@@ -17,11 +18,14 @@ const PORT_TYPES = /** @type {Readonly<Record<number, string>>} */ ({
 
 /** What a variable says that was never set, and what is not there. */
 const UNSET_STATUS = 12311;
+/** Not zero; that of a controller is not known. */
+const NO_REGISTER = 1;
 
 /** @param {keyof Pick<Machine['state'], 'registers' | 'positionRegisters' | 'stringRegisters'>} bank @returns {Builtin} */
 const setter =
   (bank) =>
   ([index, value, status], { state }) => {
+    if (!hasNumber(number(index))) return put(status, NO_REGISTER);
     state[bank][number(index)] = bank === 'registers' ? { value: number(value), isReal: false } : copied(value);
     put(status, 0);
   };
@@ -69,6 +73,10 @@ const parameterOf = ([index, type, integer, real, string, status], { state }) =>
   else put(isWhole ? integer : real, isWhole ? value : single(number(value)));
 };
 
+/** Of files; the second is a number of our own. */
+const NOT_THERE = 2014;
+const THERE_ALREADY = 1;
+
 /** Of POST_ERR. */
 const ABORTS = 2;
 
@@ -104,13 +112,28 @@ const positionToJoint = ([reference, position, frame, tool, , , , joints, status
   return put(status, found ? 0 : NO_POSTURE);
 };
 
+/** @type {Builtin} */
+const copyFile = ([from, to, mayReplace, , status], { state: { files } }) => {
+  const [source, target] = [from, to].map((path) => text(path).toUpperCase());
+  const isThere = Object.hasOwn(files, source);
+  const isFree = truth(mayReplace) || !Object.hasOwn(files, target);
+  if (isThere && isFree) files[target] = files[source];
+  return put(status, isThere ? (isFree ? 0 : THERE_ALREADY) : NOT_THERE);
+};
+
 /** @type {Readonly<Record<string, Builtin>>} */
 export const CONTROLLER = {
+  COPY_FILE: copyFile,
+  CHECK_EPOS: ([position, frame, tool, status], machine) => {
+    const system = framed(machine, frame, tool);
+    put(status, kinematicsOf(machine).toJoints(numbers(position), system) ? 0 : NO_POSTURE);
+  },
   JOINT2POS: jointToPosition,
   POS2JOINT: positionToJoint,
   GET_TPE_PRM: parameterOf,
   SET_INT_REG: setter('registers'),
   SET_REAL_REG: ([index, value, status], { state }) => {
+    if (!hasNumber(number(index))) return put(status, NO_REGISTER);
     state.registers[number(index)] = { value: single(number(value)), isReal: true };
     put(status, 0);
   },
@@ -160,8 +183,9 @@ export const CONTROLLER = {
   },
   SET_PORT_VAL: ([type, index, value, status], { state }) => {
     const port = PORT_TYPES[number(type)];
-    if (port) (state.ports[port] ??= {})[number(index)] = /^[GA]/.test(port) ? number(value) : number(value) !== 0;
-    put(status, port ? 0 : 1);
+    const isThere = port && hasNumber(number(index), 0);
+    if (isThere) (state.ports[port] ??= {})[number(index)] = /^[GA]/.test(port) ? number(value) : number(value) !== 0;
+    put(status, isThere ? 0 : 1);
   },
 
   IN_RANGE: () => true,
@@ -190,7 +214,7 @@ export const CONTROLLER = {
   DELETE_FILE: ([path, , status], { state }) => {
     const isThere = Object.hasOwn(state.files, text(path).toUpperCase());
     delete state.files[text(path).toUpperCase()];
-    put(status, isThere ? 0 : 2014);
+    put(status, isThere ? 0 : NOT_THERE);
   },
   POST_ERR: ([code, message, , severity], machine) => {
     const posted = { code: number(code), message: text(message), severity: number(severity) };

@@ -5,8 +5,8 @@
  * @import { Reference, Value } from './values.js'
  */
 import { convertedReal, convertedWhole } from './format.js';
-import { axisOf, configOf, configText, degrees, frameOf, inverted, radians } from './positions.js';
-import { Alarm, clipped, copied, list, number, numbers, record, single, text, whole } from './values.js';
+import { axisOf, configOf, configText, degrees, frameOf, inverted, mirrored, radians } from './positions.js';
+import { Alarm, clipped, copied, list, number, numbers, record, single, text, truth, whole } from './values.js';
 
 /** @param {(x: number) => number} f @returns {Builtin} */
 const real =
@@ -56,6 +56,7 @@ export const MATHEMATICS = {
   },
   UNPOS: ([position, ...targets]) => void targets.forEach((target, i) => put(target, numbers(position)[i])),
   INV: ([position]) => inverted(numbers(position)),
+  MIRROR: ([position, frame, turns]) => mirrored(numbers(position), numbers(frame), truth(turns)),
   FRAME: (points) => frameOf(points.map(numbers)),
   NORMAL: ([position]) => axisOf(numbers(position), 0),
   ORIENT: ([position]) => axisOf(numbers(position), 1),
@@ -105,6 +106,7 @@ export const MATHEMATICS = {
     put(target, value ? single(Number(value[0])) : undefined);
   },
 
+  CNV_TIME_STR: ([time, target]) => put(target, timeText(number(time))),
   CNV_STR_TIME: ([source, target]) => put(target, packedTime(text(source))),
 
   UNINIT: ([variable]) => {
@@ -115,11 +117,17 @@ export const MATHEMATICS = {
 
   PATH_LEN: ([path]) => nodesOf(path).length,
   APPEND_NODE: ([path, status]) => {
-    nodesOf(path).push(copied(record(held(path)).blank));
-    put(status, 0);
+    const nodes = nodesOf(path);
+    if (nodes.length < MOST_NODES) nodes.push(copied(record(held(path)).blank));
+    put(status, nodes.length < MOST_NODES ? 0 : NO_ROOM);
   },
   INSERT_NODE: ([path, index, status]) =>
-    changeNodes(path, index, status, (nodes, at) => nodes.splice(at, 0, copied(record(held(path)).blank))),
+    changeNodes(
+      path,
+      index,
+      status,
+      (nodes, at) => nodes.length < MOST_NODES && nodes.splice(at, 0, copied(record(held(path)).blank)),
+    ),
   DELETE_NODE: ([path, index, status]) => changeNodes(path, index, status, (nodes, at) => nodes.splice(at, 1)),
   COPY_PATH: ([from, first, last, to, status]) => {
     const nodes = nodesOf(from);
@@ -128,6 +136,10 @@ export const MATHEMATICS = {
     put(status, 0);
   },
 };
+
+/** More than a controller has room for; what its status is then is not known. */
+const MOST_NODES = 20_000;
+const NO_ROOM = 1;
 
 const MONTHS = 'JANFEBMARAPRMAYJUNJULAUGSEPOCTNOVDEC';
 
@@ -139,6 +151,19 @@ function packedTime(source) {
   const [day, , year, hour, minute, second] = match.slice(1).map((part) => Number(part ?? 0));
   const years = year >= 80 ? year - 80 : year + 20;
   return (years << 25) | (month << 21) | (day << 16) | (hour << 11) | (minute << 5) | (second >> 1);
+}
+
+/** @param {number} packed */
+function timeText(packed) {
+  const two = (/** @type {number} */ value) => String(value).padStart(2, '0');
+  const month = 3 * (((packed >> 21) & 15) - 1);
+  const [day, year, hour, minute] = [
+    (packed >> 16) & 31,
+    (packed >>> 25) + 80,
+    (packed >> 11) & 31,
+    (packed >> 5) & 63,
+  ];
+  return `${two(day)}-${MONTHS.slice(month, month + 3)}-${two(year % 100)} ${two(hour)}:${two(minute)}`;
 }
 
 /** @param {Value} value @returns {boolean} */

@@ -10,10 +10,13 @@ import { RUN } from './builtins.js';
 import { HALT, pushFrame, SWITCH } from './machine.js';
 import { Alarm, copied } from './values.js';
 
+/** @param {string} name @param {number} argument */
+export const parameterOf = (name, argument) => BUILTINS.get(name.toUpperCase())?.parameters[argument];
+
 /** Whether a built-in is handed the place of an argument and not its value. @param {string} name @param {number} argument */
 export function isSetByBuiltin(name, argument) {
   const upper = name.toUpperCase();
-  const parameter = BUILTINS.get(upper)?.parameters[argument];
+  const parameter = parameterOf(name, argument);
   return parameter?.isSet || upper === 'UNINIT' || parameter?.type === 'H' || parameter?.type === 'F';
 }
 

@@ -14,12 +14,13 @@ import { PREDEFINED, PREDEFINED_FILES } from '../check/constants.js';
 import { BUILTINS } from '../check/builtins.js';
 import { isDesignator } from '../check/context.js';
 import { isPosition, isWhole, UNKNOWN } from '../check/types.js';
-import { emitCallOf, isSetByBuiltin, runBuiltin } from './calls.js';
-import { compileBinary } from './operators.js';
+import { emitCallOf, isSetByBuiltin, parameterOf, runBuiltin } from './calls.js';
+import { compileBinary, placed } from './operators.js';
 import { asRecord, elementAt, fieldAt, indexIn, portAt } from './places.js';
 import { asPosition, axisOf, CONFIG_BITS } from './positions.js';
 import { systemKey } from './systemVariables.js';
-import { Alarm, copied, list, number, numbers, truth, whole } from './values.js';
+import { Alarm, copied, list, number, numbers, text, truth, whole } from './values.js';
+import { variableNamed } from './variablesByName.js';
 
 /** @param {Expression} node @param {Compiler} compiler @returns {Evaluate} */
 export function compileExpression(node, compiler) {
@@ -197,12 +198,40 @@ export function compileCall(node, compiler) {
 
 /** @param {Call} node @param {Compiler} compiler @returns {Evaluate} */
 function callBuiltin(node, compiler) {
-  const args = node.args.map((arg, i) =>
-    isSetByBuiltin(node.name, i) && isDesignator(arg)
-      ? compileReference(arg, compiler)
-      : compileExpression(arg, compiler),
-  );
+  const isKept = /^SET_E?POS_REG$/i.test(node.name);
+  const args = node.args.map((arg, i) => {
+    const type = compiler.typeOf(arg);
+    const named = compileByName(arg, compiler);
+    if (named) return isSetByBuiltin(node.name, i) ? named : held(named);
+    if (!isSetByBuiltin(node.name, i) || !isDesignator(arg)) {
+      const value = compileExpression(arg, compiler);
+      return isKept || parameterOf(node.name, i)?.type !== 'P' ? value : placed(value, type);
+    }
+    const at = compileReference(arg, compiler);
+    return parameterOf(node.name, i)?.type === 'X' ? typed(at, type) : at;
+  });
   return runBuiltin(node.name, args);
+}
+
+/** @param {Locate} at @returns {Evaluate} */
+const held = (at) => (m, f) => {
+  const { holder, key } = at(m, f);
+  return holder[key];
+};
+
+/** @param {Locate} at @param {Type} type @returns {Locate} */
+const typed = (at, type) => (m, f) => ({ ...at(m, f), type });
+
+/** `BYNAME(program, variable, entry)`: a variable by its name, as an argument. @param {Expression} node @param {Compiler} compiler @returns {Locate | null} */
+function compileByName(node, compiler) {
+  if (node.kind !== 'call' || node.name.toUpperCase() !== 'BYNAME') return null;
+  const [program, name] = node.args.map((arg) => compileExpression(arg, compiler));
+  return (m, f) => {
+    const [owner, wanted] = [program, name].map((one) => text(one(m, f)).toUpperCase());
+    const found = variableNamed(m, owner, wanted);
+    if (!found) throw new Alarm(`there is no variable "${wanted}" in "${owner}"`, 'unknown-name');
+    return found.at;
+  };
 }
 
 /** @param {Call} node @param {RoutineSymbol} symbol @param {number} result  the slot of the value @param {Compiler} compiler */
@@ -218,6 +247,8 @@ export function emitCall(node, symbol, result, compiler) {
 /** A variable of the parameter's type goes by reference, everything else, and what stands in parentheses, by value. @param {Call} call @param {number} i @param {RoutineSymbol} symbol @param {Compiler} compiler @returns {Locate} */
 function compileArgument({ args, byValue = [] }, i, symbol, compiler) {
   const arg = args[i];
+  const named = compileByName(arg, compiler);
+  if (named) return named;
   const wanted = symbol.parameters[i]?.type;
   const given = compiler.typeOf(arg);
   const isVariable =

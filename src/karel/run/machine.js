@@ -185,7 +185,7 @@ export function pushFrame(machine, task, code, args, result, shared) {
 /** What time brings: the arm moves, pulses end, timers run. @param {{ state: Pick<State, 'time' | 'timers' | 'pulses' | 'ports' | 'arm'> }} machine */
 export function passTime({ state }) {
   advanceArm(state.arm, state.time);
-  for (const { holder, key, since, from } of state.timers) holder[key] = Math.trunc(from + state.time - since);
+  for (const { holder, key, since, from } of state.timers) holder[key] = Math.trunc(from + state.time - since) | 0;
   const over = state.pulses.filter(({ at }) => at <= state.time);
   if (over.length === 0) return;
   for (const { port, index, value } of over) (state.ports[port] ??= {})[index] = value;

@@ -8,7 +8,7 @@
  * @import { Evaluate } from './machine.js'
  */
 import { isNumber, isPosition, isWhole } from '../check/types.js';
-import { composed, cross, dot, poseOf, transformed } from './positions.js';
+import { asPosition, composed, cross, dot, poseOf, transformed } from './positions.js';
 import { Alarm, list, number, numbers, single, text, truth, whole } from './values.js';
 
 /** How near positions are that >=< calls the same, mm and degrees. The controller has system variables for it: not verified. */
@@ -23,7 +23,7 @@ export function compileBinary(operator, left, right, leftType, rightType) {
   if (operator === '*' && rightType.kind === 'VECTOR')
     return (m, f) => scaled(numbers(right(m, f)), number(left(m, f)));
   if (leftType.kind === 'VECTOR') return ofVectors(operator, left, right);
-  if (isPosition(leftType)) return ofPositions(operator, left, right, rightType);
+  if (isPosition(leftType)) return ofPositions(operator, placed(left, leftType), placed(right, rightType), rightType);
   return (m, f) => ofAnything(operator, left(m, f), right(m, f));
 }
 
@@ -124,6 +124,10 @@ function ofVectors(operator, left, right) {
       return (m, f) => scaled(numbers(left(m, f)), number(right(m, f)));
   }
 }
+
+/** Joint values as where they take the tool. @param {Evaluate} value @param {Type} type @returns {Evaluate} */
+export const placed = (value, { kind }) =>
+  kind === 'JOINTPOS' ? (m, f) => asPosition(value(m, f), 'XYZWPR', m) : value;
 
 /** @param {BinaryOperator} operator @param {Evaluate} left @param {Evaluate} right @param {Type} rightType @returns {Evaluate} */
 function ofPositions(operator, left, right, rightType) {

@@ -20,10 +20,20 @@ export const asRecord = (/** @type {Value[]} */ values) =>
   /** @type {Record<number, Value>} */ (/** @type {unknown} */ (values));
 
 /** @param {string} port  its name in capitals @param {Evaluate} index @returns {Locate} */
-export const portAt = (port, index) => (m, f) => ({
-  holder: (m.state.ports[port] ??= {}),
-  key: number(index(m, f)),
-});
+export const portAt = (port, index) => (m, f) => {
+  const at = number(index(m, f));
+  if (!hasNumber(at, 0)) throw new Alarm(`there is no ${port}[${at}]`, 'port');
+  // By FANUC's manual the panel's ports go on as those of the user panel.
+  const panel = at < PANEL ? undefined : USER_PANEL[port];
+  return { holder: (m.state.ports[panel ?? port] ??= {}), key: panel ? at - PANEL + 1 : at };
+};
+
+const PANEL = 16;
+const USER_PANEL = /** @type {Readonly<Record<string, string>>} */ ({ OPIN: 'UIN', OPOUT: 'UOUT' });
+
+/** More registers, ports and semaphores than any controller has. */
+const MOST = 32767;
+export const hasNumber = (/** @type {number} */ index, least = 1) => index >= least && index <= MOST;
 
 /** An element of an array or a path; of what is of unknown type, a system variable's text. @param {Locate} at @param {Evaluate[]} places @param {string} kind @returns {Locate} */
 export function elementAt(at, places, kind) {

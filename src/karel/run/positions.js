@@ -53,6 +53,16 @@ export const composed = (frame, position) => positionOf(compose(poseOf(frame), p
 /** @param {readonly number[]} position */
 export const inverted = (position) => positionOf(invert(poseOf(position)), position[6] ?? 0);
 
+/** By the manuals' words, which no controller has confirmed: in a frame's xz plane; the tool's y axis is turned round, so that it stays a right hand's. @param {readonly number[]} position @param {readonly number[]} frame @param {boolean} turns */
+export function mirrored(position, frame, turns) {
+  const T_frame = poseOf(frame);
+  const T = compose(invert(T_frame), poseOf(position));
+  T[13] = -T[13];
+  if (turns) for (const i of [1, 4, 6, 9]) T[i] = -T[i];
+  const whole = positionOf(compose(T_frame, T), position[6] ?? 0);
+  return turns ? whole : [...whole.slice(0, 3), ...position.slice(3)];
+}
+
 /** `position : vector` @param {readonly number[]} position @param {readonly number[]} vector */
 export function transformed(position, [x, y, z]) {
   const T = poseOf(position);

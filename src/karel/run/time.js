@@ -32,14 +32,13 @@ export function compileDelay(milliseconds, compiler) {
 export function compilePulse({ port, milliseconds, nowait }, compiler) {
   const time = compileExpression(milliseconds, compiler);
   const at = compileReference(port, compiler);
-  const name = port.kind === 'index' && port.target.kind === 'name' ? port.target.name.toUpperCase() : '';
   emitPlain(compiler, (machine, frame) => {
     const { holder, key } = at(machine, frame);
     const value = holder[key] === true;
     holder[key] = !value;
     machine.state.pulses.push({
       kind: 'pulse',
-      port: name,
+      port: Object.keys(machine.state.ports).find((name) => machine.state.ports[name] === holder) ?? '',
       index: Number(key),
       value,
       at: machine.state.time + number(time(machine, frame)),
@@ -52,8 +51,7 @@ export function compilePulse({ port, milliseconds, nowait }, compiler) {
 export function compilePend([index, most, isLate], compiler) {
   const wanted = compileExpression(index, compiler);
   const longest = compileExpression(most, compiler);
-  if (!isDesignator(isLate)) throw new RangeError('PEND_SEMA sets a variable.');
-  const target = compileReference(isLate, compiler);
+  const target = isDesignator(isLate) ? compileReference(isLate, compiler) : null;
   const until = compiler.temporary();
   const at = compiler.here();
   compiler.emit((machine, frame) => {
@@ -69,8 +67,10 @@ export function compilePend([index, most, isLate], compiler) {
     }
     if (isFree) state.semaphores[semaphore]--;
     frame.locals[until] = undefined;
-    const { holder, key } = target(machine, frame);
-    holder[key] = !isFree;
+    if (target) {
+      const { holder, key } = target(machine, frame);
+      holder[key] = !isFree;
+    }
     return at + 1;
   });
 }

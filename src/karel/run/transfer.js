@@ -10,11 +10,16 @@ import { isDesignator } from '../check/context.js';
 import { compileExpression, compileReference } from './expressions.js';
 import { writtenText } from './format.js';
 import { HALT } from './machine.js';
-import { Alarm, number, record, single, text } from './values.js';
+import { Alarm, number, record, single, text, whole } from './values.js';
 
 /** IO_STATUS of a file that is not there, and of one that has ended. */
 const NOT_THERE = 2014;
 const ENDED = 2021;
+/** Not zero; that of a controller is not known. */
+const NO_USAGE = 1;
+const USAGES = new Set(['RO', 'RW', 'AP', 'UD']);
+/** Of a file. */
+const MOST_CHARACTERS = 10_000_000;
 
 /** @param {Extract<Statement, { kind: 'write' | 'read' }>} statement @param {Compiler} compiler */
 export function compileTransfer({ kind, file, items }, compiler) {
@@ -78,7 +83,9 @@ function compilePiece(item, compiler) {
 /** @param {Machine} machine @param {Record<string, unknown>} file @param {string} written */
 function writeFile({ state }, file, written) {
   if (typeof file.path !== 'string') throw new Alarm('the file is not open', 'file');
-  state.files[file.path] = (state.files[file.path] ?? '') + written;
+  const before = state.files[file.path] ?? '';
+  if (before.length + written.length > MOST_CHARACTERS) throw new Alarm('the device is full', 'file');
+  state.files[file.path] = before + written;
 }
 
 /** @param {readonly Item[]} items @param {string} device @param {Locate | null} at @param {Compiler} compiler */
@@ -120,8 +127,8 @@ function compileRead(items, device, at, compiler) {
         holder[key] = found.slice(0, most);
         rest = rest.slice(Math.min(found.length, most));
       } else {
-        const [whole, found] = /^\s*([^\s,]+),?/.exec(rest) ?? ['', ''];
-        const value = Number(found);
+        const [taken, found] = /^\s*([^\s,]+),?/.exec(rest) ?? ['', ''];
+        const value = /^[+-]?(\d+\.?\d*|\.\d+)(E[+-]?\d+)?$/i.test(found) ? Number(found) : NaN;
         const isRight = found !== '' && (target.type.kind === 'BOOLEAN' || !Number.isNaN(value));
         if (isRight)
           holder[key] =
@@ -129,10 +136,10 @@ function compileRead(items, device, at, compiler) {
               ? single(value)
               : target.type.kind === 'BOOLEAN'
                 ? /^(ON|TRUE)$/i.test(found)
-                : Math.trunc(value);
+                : whole(Math.trunc(value));
         else if (file) file.status ??= ENDED;
         else throw new Alarm(`a number was expected to be read, got "${rest}"`, 'read');
-        rest = rest.slice(whole.length);
+        rest = rest.slice(taken.length);
       }
     }
     if (file) file.rest = rest;
@@ -160,7 +167,8 @@ export function compileFileStatement(statement, compiler) {
     const mode = text(usage(m, f)).toUpperCase();
     const { holder, key } = at(m, f);
     const isThere = Object.hasOwn(files, name);
-    if (mode === 'RO' && !isThere) holder[key] = { status: NOT_THERE };
+    if (!USAGES.has(mode)) holder[key] = { status: NO_USAGE };
+    else if (mode === 'RO' && !isThere) holder[key] = { status: NOT_THERE };
     else {
       if (mode === 'RW') files[name] = '';
       else if (!isThere) files[name] = '';

@@ -5,9 +5,10 @@
  * @import { Builtin, Frame, Locate, Machine } from './machine.js'
  * @import { Reference } from './values.js'
  */
-import { fieldOf, UNKNOWN } from '../check/types.js';
+import { fieldOf, fits, isPosition, UNKNOWN } from '../check/types.js';
 import { put } from './builtinsMath.js';
 import { asRecord, elementAt, fieldAt } from './places.js';
+import { asPosition } from './positions.js';
 import { linkedProgram } from './programs.js';
 import { keyOfText } from './systemVariables.js';
 import { Alarm, copied, single, text } from './values.js';
@@ -24,7 +25,7 @@ const FAST_CLOCK = '$FAST_CLOCK';
 const NO_FRAME = /** @type {Frame} */ ({ code: 0, pc: 0, locals: [], result: -1 });
 
 /** @param {Machine} machine @param {string} program @param {string} name both in capitals @returns {{ at: Reference, type: Type } | null} */
-function variableNamed(machine, program, name) {
+export function variableNamed(machine, program, name) {
   if (program === SYSTEM) return { at: { holder: machine.state.system, key: keyOfText(name) }, type: UNKNOWN };
   const index = linkedProgram(machine, program);
   const [first, ...steps] = /^\w+(\.\w+|\[\s*\d+(\s*,\s*\d+)*\s*\])*$/.test(name)
@@ -42,7 +43,7 @@ function variableNamed(machine, program, name) {
     type = inner;
   }
   try {
-    return { at: at(machine, NO_FRAME), type };
+    return { at: { ...at(machine, NO_FRAME), most: type.length }, type };
   } catch (error) {
     if (error instanceof Alarm) return null;
     throw error;
@@ -68,17 +69,15 @@ export const VARIABLES_BY_NAME = {
     if (!found) return put(status, NO_VARIABLE);
     const held = found.at.holder[found.at.key];
     if (held === undefined) return put(status, owner === SYSTEM ? NO_VARIABLE : UNSET);
-    put(value, copied(held));
+    const { type = UNKNOWN } = /** @type {{ type?: Type }} */ (value);
+    if (!fits(found.type, type) || !isOf(type, held)) return put(status, OTHER_TYPE);
+    put(value, isPosition(type) ? asPosition(copied(held), type.kind, machine) : copied(held));
     return put(status, 0);
   },
   SET_VAR: ([, program, name, value, status], machine) => {
     const found = variableNamed(machine, text(program).toUpperCase(), text(name).toUpperCase());
     if (!found) return put(status, NO_VARIABLE);
-    const isRight =
-      found.type.kind === 'UNKNOWN' ||
-      JS_TYPES[found.type.kind] === undefined ||
-      typeof value === JS_TYPES[found.type.kind];
-    if (!isRight) return put(status, OTHER_TYPE);
+    if (!isOf(found.type, value)) return put(status, OTHER_TYPE);
     const { holder, key } = found.at;
     holder[key] =
       found.type.kind === 'REAL'
@@ -90,6 +89,15 @@ export const VARIABLES_BY_NAME = {
   },
 };
 
+/** Whether a value can be one of this type. @param {Type} type @param {unknown} value */
+function isOf({ kind }, value) {
+  if (kind === 'UNKNOWN' || kind === 'OPAQUE') return true;
+  if (/^(INTEGER|SHORT|BYTE)$/.test(kind) && !Number.isInteger(value)) return false;
+  const isList = !/^(STRUCTURE|PATH|FILE)$/.test(kind);
+  if (!JS_TYPES[kind]) return typeof value === 'object' && Array.isArray(value) === isList;
+  return typeof value === JS_TYPES[kind];
+}
+
 /** What values of the simple types are. @type {Readonly<Record<string, string>>} */
 const JS_TYPES = {
   INTEGER: 'number',
@@ -98,4 +106,5 @@ const JS_TYPES = {
   REAL: 'number',
   STRING: 'string',
   BOOLEAN: 'boolean',
+  CONFIG: 'number',
 };

@@ -87,7 +87,7 @@ export function checkTp(listing) {
 function checkHead(listing, report) {
   const name = nameOf(listing);
   const head = listing.parts.find((part) => part.kind === 'section' && part.name === 'PROG');
-  if (!/^[A-Z][A-Z0-9_-]*$/.test(name) || name.length > MAX_NAME)
+  if (!/^[A-Z-][A-Z0-9_-]*$/.test(name) || name.length > MAX_NAME)
     report(
       'error',
       'name',
@@ -117,8 +117,14 @@ function checkMotion({ motion, speed, termination }, line, report) {
   if (motion === 'J' ? !isShare && !/sec$/.test(speed.unit) : isShare)
     report('error', 'speed', `A speed in ${speed.unit} does not go with ${motion}.`, line);
   const [least, most] = SPEEDS[speed.unit];
-  if (value !== null && (value < least || value > most))
-    report('error', 'speed', `Expected a speed from ${least} to ${most} ${speed.unit}, got ${value}.`, line);
+  if (value !== null && (value < least || value > most)) {
+    // how fast its tool may go is the robot's own
+    const isQuick = value > most && /^(mm|cm|inch)/.test(speed.unit);
+    const message = isQuick
+      ? `${value} ${speed.unit} is more than the ${most} of HandlingTool's manual: not every robot takes it.`
+      : `Expected a speed from ${least} to ${most} ${speed.unit}, got ${value}.`;
+    report(isQuick ? 'warning' : 'error', 'speed', message, line);
+  }
   const end = termination.kind === 'CNT' ? constant(termination.value) : null;
   if (end !== null && (end < 0 || end > 100 || !Number.isInteger(end)))
     report('error', 'termination', `Expected CNT0 to CNT100, got CNT${end}.`, line);

@@ -106,7 +106,7 @@ export function operandText(node) {
     case 'string':
       return `'${fitting('a string', node.value, /^[ -&(-:<-~]*$/)}'`;
     case 'word':
-      return fitting('a word', node.word, /^([A-Z_]+[+-]?|\.\.\.)$/);
+      return fitting('a word', node.word, /^([A-Z_]+[+-]?|max_speed|\.\.\.)$/);
     case 'pulse':
       return node.seconds ? `PULSE,${operandText(node.seconds)}sec` : 'PULSE';
     case 'system':

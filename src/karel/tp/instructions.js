@@ -12,6 +12,10 @@ const SETTINGS = /(UFRAME_NUM|UTOOL_NUM|OVERRIDE|JOINT_MAX_SPEED|LINEAR_MAX_SPEE
 const PROGRAM = /[A-Za-z_][A-Za-z0-9_$-]*/y;
 const BARE = /(ELSE|ENDIF|ENDFOR|END|ABORT|PAUSE)\s*$/y;
 
+/** Functions that controllers may have as an option: an assignment by them is not known here. */
+const FUNCTION =
+  /.*\b(?:A?SIN|A?COS|A?TAN2?|SQRT?|ABS|EXP|LN|ROUND|TRUNC|MIN|MAX|STRLEN|FINDSTR|SUBSTR)\b(?=\s*[[(]|\s+S?R\[)/y;
+
 /** @type {readonly (readonly [RegExp, (cursor: TpCursor) => TpInstruction])[]} by how they begin */
 const READERS = [
   [/!/y, (cursor) => ({ kind: 'remark', text: cursor.rest() })],
@@ -54,6 +58,7 @@ function readKnownAction(cursor) {
   const target = readTarget(cursor);
   if (!target) return null;
   cursor.needSign('=');
+  if (cursor.look(FUNCTION)) return null;
   return { kind: 'assign', target, value: readValue(cursor) };
 }
 

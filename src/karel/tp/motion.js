@@ -40,7 +40,7 @@ export function readMotion(cursor) {
 /** @param {TpCursor} cursor @returns {TpSpeed} */
 function readSpeed(cursor) {
   // WELD_SPEED and the like: a process has the speed.
-  const process = cursor.take(/[A-Z]+_SPEED\b/y);
+  const process = cursor.take(/[A-Z]+_SPEED\b|max_speed\b/y);
   if (process) return { value: { kind: 'word', word: process[0] }, unit: 'mm/sec' };
   const value = readOperand(cursor);
   const unit = cursor.need(UNIT, 'a unit of speed: %, sec, mm/sec, cm/min, inch/min or deg/sec')[0];

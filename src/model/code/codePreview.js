@@ -4,7 +4,6 @@
  *
  * @import { CodeRun } from './codeDebugger.js'
  * @import { Doc, ProgramDoc } from '../document.js'
- * @import { State } from '../../karel/run/machine.js'
  * @import { Chain } from '../../kinematics/chain.js'
  * @import { CodePath } from './codeScene.js'
  *
@@ -24,6 +23,7 @@ import { codeArm } from './codeArm.js';
 import { systemAtFirst } from './codeFrames.js';
 import { movesOf } from './codeMoves.js';
 import { createCodeRun } from './codeRun.js';
+import { comingInputs } from './comingInputs.js';
 
 const MOST_MOVES = 100;
 const MOST_STEPS = 20_000;
@@ -114,32 +114,6 @@ function withinLimits(found, { joints }) {
 /** @param {CodeRun} run @param {number} line  where the top is */
 const linesOf = (run, line) =>
   run.stack().map((frame, i, all) => ({ id: frame.id, line: i === all.length - 1 ? line : frame.line }));
-
-/** Inputs that are waited for come: they change at each look. @param {readonly ProgramDoc[]} programs */
-function comingInputs(programs) {
-  const inputs = new Set(
-    programs.flatMap(({ text }) =>
-      [...text.matchAll(/\b(DIN?|RDI|RI|UIN?|OPIN|SI|FLG|F)\s*\[\s*(\d+)/g)].map(
-        ([, bank, index]) => `${KAREL_NAME[bank] ?? bank}[${index}]`,
-      ),
-    ),
-  );
-  return (/** @type {State} */ { ports }) => {
-    for (const input of inputs) {
-      const [, port, index] = /** @type {RegExpExecArray} */ (/^(\w+)\[(\d+)\]$/.exec(input));
-      const values = (ports[port] ??= {});
-      values[index] = values[index] !== true;
-    }
-  };
-}
-
-const KAREL_NAME = /** @type {Readonly<Record<string, string>>} */ ({
-  DI: 'DIN',
-  RI: 'RDI',
-  UI: 'UIN',
-  SI: 'OPIN',
-  F: 'FLG',
-});
 
 /** The first motion that belongs to a line of a program. @param {Preview} preview @param {string} id @param {number} line */
 export const moveOfLine = ({ moves }, id, line) =>

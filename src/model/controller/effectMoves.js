@@ -19,7 +19,7 @@ import { codeMove } from './codeMoves.js';
  * @param {Float64Array} from
  * @param {Effect} effect       of runMoves
  * @param {boolean} isStrict    compared with a program
- * @returns {CodeMove[] | { message: string }}
+ * @returns {{ moves: CodeMove[], missing: readonly string[] } | { message: string }}  missing: frames that the model does not have
  */
 export function effectMoves(doc, frames, from, effect, isStrict) {
   const raw = /** @type {Effect | undefined} */ (effect.raw);
@@ -28,7 +28,7 @@ export function effectMoves(doc, frames, from, effect, isStrict) {
   if (system && (!isStrict || !isPlain)) {
     const found = movesOf(doc, from, raw ?? effect, system);
     if ('message' in found) return found;
-    return found.moves.map(({ move }) => (raw ? asSaid(move, effect) : move));
+    return { ...found, moves: found.moves.map(({ move }) => (raw ? asSaid(move, effect) : move)) };
   }
   const { position } = effect;
   if (!Array.isArray(position) || position.slice(0, 6).some((value) => typeof value !== 'number'))
@@ -38,7 +38,7 @@ export function effectMoves(doc, frames, from, effect, isStrict) {
       ? codeMove(doc, codeFrames(doc, system), from, { ...effect, userFrame: OWN_FRAME, toolFrame: OWN_FRAME })
       : codeMove(doc, frames, from, effect);
   if ('message' in done) return done;
-  return [raw ? asSaid(done, effect) : done];
+  return { moves: [raw ? asSaid(done, effect) : done], missing: [] };
 }
 
 /** KAREL moves by what $UFRAME and $UTOOL hold; which number that is, other variables say. @param {CodeMove} move @param {Effect} effect @returns {CodeMove} */

@@ -67,8 +67,11 @@ export function roundingOf({ robot }, { followed: { chain, end, path }, isJoint 
   const both = [pathMomentAt(path, 0).posture, end].map((q) => {
     const J = geometricJacobian(chain, q);
     let [metres, radians] = [0, 0];
-    for (const [i, { type }] of chain.joints.entries()) {
-      const off = toKernel(type === 'prismatic' ? 'length' : 'angle', here, UNITS) * (1 + coupledShare(robot, i));
+    for (const [i, { type, lower, upper }] of chain.joints.entries()) {
+      const quantity = type === 'prismatic' ? 'length' : 'angle';
+      // at a limit it is rounded to the inside (insideLimits.js)
+      const isAtLimit = Math.min(q[i] - lower, upper - q[i]) <= toKernel(quantity, 4 * ROUNDING, UNITS);
+      const off = toKernel(quantity, isAtLimit ? here + ROUNDING : here, UNITS) * (1 + coupledShare(robot, i));
       metres += off * Math.hypot(J[6 * i], J[6 * i + 1], J[6 * i + 2]);
       radians += off * Math.hypot(J[6 * i + 3], J[6 * i + 4], J[6 * i + 5]);
     }

@@ -45,9 +45,9 @@ import { isMove } from '../program/motionProgram.js';
 import { issue } from '../refusalParts.js';
 import { convertAngle, convertLength, fromKernel } from '../units.js';
 import { conventionLines } from './controllerConvention.js';
-import { pendantValues } from './controllerValues.js';
 import { followMove, postureAlong } from './followMoves.js';
 import { controllerFrames } from './frameNumbers.js';
+import { valuesInside } from './insideLimits.js';
 import { lawNotes, lostOf, viaWays } from './lostLaws.js';
 
 const CONTROLLER_UNITS = /** @type {const} */ ({ length: 'mm', angle: 'deg' });
@@ -222,10 +222,10 @@ function neutralTarget(robot, chain, target, q, T_user_tcp, isByJoints) {
   const { fanuc, kuka } = configurationAt(robot, chain, posture);
   const isSingular = isByJoints && 1 / dexterity(chain, q).conditionNumber < SINGULAR;
   if (isSingular && target.kind !== 'posture' && fanuc.text !== null) {
-    const values = { joints: pendantValues(robot, posture), position: controllerPosition(T_user_tcp) };
+    const values = { joints: valuesInside(robot, posture), position: controllerPosition(T_user_tcp) };
     return { ...values, fanuc: null, kuka: null, isJoint: false, reason: REASONS.singular };
   }
-  const joints = pendantValues(robot, posture);
+  const joints = valuesInside(robot, posture);
   const onBorder = {
     fanuc: isByJoints && FANUC_TURN_AXES.some((axis) => isNear(joints[axis], 180)),
     kuka: isByJoints && joints.some((value) => isNear(value, 0)),

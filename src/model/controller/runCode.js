@@ -4,7 +4,7 @@
  *
  * @import { Diagnostic } from '../../karel/parse/cursor.js'
  * @import { Controller } from '../../karel/controllerTurns.js'
- * @import { Effect, State } from '../../karel/run/machine.js'
+ * @import { Effect } from '../../karel/run/machine.js'
  * @import { TpListing } from '../../karel/tp/tree.js'
  * @import { Program } from '../../karel/tree.js'
  * @import { CodeFile } from '../../karel/write/neutral.js'
@@ -28,6 +28,7 @@ import { linkInSlices } from '../../karel/run/link.js';
 import { checkTp } from '../../karel/tp/checker.js';
 import { parseTpInSlices } from '../../karel/tp/parser.js';
 import { nameOf } from '../../karel/tp/tree.js';
+import { comingInputs } from '../code/comingInputs.js';
 
 const STEPS = 200_000;
 /** Statements between two looks at the clock. */
@@ -160,10 +161,12 @@ function* runFanucFiles(files, findings, arm) {
   yield null;
   const run = goOn(controller);
   let count = 0;
+  let at = { file: main, line: 0 };
   let next = run.next();
   for (; !next.done; next = run.next()) {
     const effect = next.value;
     if (effect.kind === 'step') {
+      at = { file: fileOf.get(String(effect.in)) ?? main, line: effect.line ?? 0 };
       if (++count % TURN === 0) yield null;
       continue;
     }
@@ -198,15 +201,23 @@ function* runFanucFiles(files, findings, arm) {
   const { status, alarm, diagnostics = [], program } = next.value;
   const file = fileOf.get(program.toUpperCase()) ?? main;
   if (alarm) findings.push({ severity: 'error', code: alarm.code, message: alarm.reason, file, line: alarm.line });
-  else if (status !== 'ended')
+  else if (diagnostics.length > 0)
     findings.push({
       severity: 'error',
       code: status,
-      message: `The program was stopped: ${status}.`,
+      message: diagnostics[0].message,
       file,
-      line: diagnostics[0]?.span.line ?? 0,
+      line: diagnostics[0].span.line,
     });
+  else if (status !== 'ended')
+    findings.push({ severity: 'error', code: status, message: STOPPED[status] ?? status, ...at });
 }
+
+/** Why a program was not run to its end. @type {Readonly<Record<string, string>>} */
+const STOPPED = {
+  budget: `The program does not come past here, or never ends: it was stopped after ${STEPS} instructions. Inputs and flags are taken to come; registers and numbers from outside are not.`,
+  aborted: 'The program ends by ABORT here.',
+};
 
 /** @param {readonly string[]} missing  frames that nothing has chosen before the first move @param {string} file @param {number} [line] @returns {CodeFinding[]} */
 const unsetFrames = (missing, file, line = 0) =>
@@ -224,17 +235,6 @@ const passedOver = ({ program, line = 0 }, file) => ({
   ...{ severity: 'warning', code: 'not-at-hand', file, line },
   message: `${String(program)} is not at hand: it is passed over, and what it does is not verified.`,
 });
-
-/** Inputs that are waited for are taken to come: they change at each look. @param {readonly CodeFile[]} files */
-function comingInputs(files) {
-  const indices = new Set(
-    files.flatMap(({ text }) => [...text.matchAll(/\bDI[N]?\[(\d+)/gi)].map(([, index]) => Number(index))),
-  );
-  return (/** @type {State} */ { ports }) => {
-    const inputs = (ports.DIN ??= {});
-    for (const index of indices) inputs[index] = inputs[index] !== true;
-  };
-}
 
 /** KAREL's MOVE as a move of TP. @param {Effect} effect @param {SystemValues} system @returns {Effect} */
 function karelMove(effect, system) {

@@ -71,6 +71,8 @@ export function* verifyInSlices(doc, made, files, start = doc.posture) {
   const largest = { millimetres: 0, degrees: 0 };
   let /** @type {Float64Array} */ from = compilePosture(doc.robot, start);
   let isSame = true;
+  /** Frames that were said to be missing. @type {Set<string>} */
+  const told = new Set();
   /** @type {string | null} */
   let before = null;
   const posture = () => postureFromKernel(doc.robot, from);
@@ -95,7 +97,12 @@ export function* verifyInSlices(doc, made, files, start = doc.posture) {
       isSame = false;
       break;
     }
-    for (const done of found) {
+    for (const frame of found.missing) {
+      if (told.has(frame)) continue;
+      told.add(frame);
+      find('warning', 'unknown-frame', `The model has no ${frame}: taken as one that changes nothing.`);
+    }
+    for (const done of found.moves) {
       const wanted = made?.moves[moves.length];
       from = done.followed.end;
       const margins = moveMargins(doc, done);

@@ -157,6 +157,24 @@ test('what is not known is kept, said, and stands where it stood', () => {
   ]);
 });
 
+test('what real listings have is no fault: the greatest speed, speeds of quick robots, functions, names of backups', () => {
+  const lines = [
+    '  UFRAME_NUM=0',
+    '  UTOOL_NUM=1',
+    'L P[1] max_speed FINE   ',
+    'L P[1] 4000mm/sec FINE   ',
+    '  R[3]=SIN[R[4]]',
+  ];
+  const text = listing(lines, [POSITIONS[0]]).replace(/\/PROG +\S+/, '/PROG  -BCKEDT-');
+  const { tree, diagnostics } = parseTp(text);
+  const all = [...diagnostics, ...checkTp(tree)];
+  expect(all.map(({ severity, code }) => `${severity} ${code}`)).toEqual([
+    'warning unknown-instruction',
+    'warning speed',
+  ]);
+  expect(printTp(withoutSource(parseTp(listing(lines, [POSITIONS[0]])).tree))).toContain('L P[1] max_speed FINE');
+});
+
 test.for(
   /** @type {[string, number, string][]} */ ([
     ['J P[1] 100 FINE', 16, 'a unit of speed'],

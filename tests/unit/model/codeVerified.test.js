@@ -2,8 +2,14 @@
 import { expect, test } from 'vitest';
 import { writeTp } from '../../../src/karel/write/tp.js';
 import { certificateStatus, readCertificate, withCertificate } from '../../../src/model/controller/certificate.js';
+import { valuesInside } from '../../../src/model/controller/insideLimits.js';
+import { postureFromPendant } from '../../../src/model/controller/pendantNumbers.js';
 import { verifyCode } from '../../../src/model/controller/verifyCode.js';
+import fc from 'fast-check';
+import { limitsOf } from '../../../src/model/document.js';
 import { LIBRARY, newDocument } from '../../../src/model/library.js';
+import { runs, SEED } from '../../helpers/property.js';
+/** @import { StepDoc } from '../../../src/model/document.js' */
 import { documentOf, fixed, FIXED, madeOf, WRITERS } from './codePrograms.js';
 
 test('a certificate fits its files, and no others: any digit that is another one, another file of the set, another arm', () => {
@@ -164,4 +170,73 @@ test('code of a person is run from where the arm is, and looked at without a pro
   const lift = verifyCode(doc, null, [tp]);
   expect(lift.moves).toHaveLength(1);
   expect(lift.findings.map(({ code, line }) => [code, line])).toEqual([['frames', 7]]);
+});
+
+test('a joint at its limit is written to the inside of it, however the pendant counts, and no further than a decimal', () => {
+  const limit = fc.double({ min: 20, max: 300, noNaN: true });
+  const anyArm = fc.record({
+    ...{
+      lower: fc.array(limit, { minLength: 6, maxLength: 6 }),
+      upper: fc.array(limit, { minLength: 6, maxLength: 6 }),
+    },
+    ...{ sign: fc.constantFrom(1, -1), offset: fc.double({ min: -90, max: 90, noNaN: true }) },
+    coupling: fc.constantFrom(0, -1, 1),
+    at: fc.array(fc.constantFrom('lower', 'upper'), { minLength: 6, maxLength: 6 }),
+  });
+  fc.assert(
+    fc.property(anyArm, ({ lower, upper, sign, offset, coupling, at }) => {
+      const controller = { ...LIBRARY.fanuc_m10ia.joints[0].controller, sign: /** @type {1 | -1} */ (sign), offset };
+      const robot = {
+        ...LIBRARY.fanuc_m10ia,
+        joints: LIBRARY.fanuc_m10ia.joints.map((joint, i) => ({
+          ...{ ...joint, lower: -lower[i], upper: upper[i] },
+          controller: i === 2 ? { ...controller, coupling, coupledTo: 'joint_2' } : controller,
+        })),
+      };
+      const posture = at.map((side, i) => limitsOf(robot.joints[i])[/** @type {'lower' | 'upper'} */ (side)]);
+      const written = valuesInside(robot, posture).map((value) => Number(value.toFixed(3)));
+      postureFromPendant(robot, written.map(Math.fround)).forEach((value, i) => {
+        const limits = limitsOf(robot.joints[i]);
+        expect(value).toBeGreaterThanOrEqual(limits.lower);
+        expect(value).toBeLessThanOrEqual(limits.upper);
+        expect(Math.abs(value - posture[i])).toBeLessThan(0.0031);
+      });
+    }),
+    { seed: SEED, numRuns: runs(100) },
+  );
+});
+
+test('a program that goes to the limits of an arm is verified without a joint past one, in every language', () => {
+  const doc = newDocument(LIBRARY.fanuc_m10ia);
+  const manner = { speed: 20, speedUnit: '%', acceleration: 100, ending: { kind: 'fine' } };
+  const steps = doc.robot.joints.flatMap((joint, i) =>
+    Object.values(limitsOf(joint)).map((value, k) => {
+      const target = { kind: 'posture', values: doc.posture.with(i, value) };
+      return { id: `s${i}${k}`, kind: 'joint', target, ...manner };
+    }),
+  );
+  const atLimits = { ...doc, motionPrograms: [{ id: 'm', name: 'Limits', steps: /** @type {StepDoc[]} */ (steps) }] };
+  for (const [write, brand] of WRITERS) {
+    const tried = madeOf(atLimits, brand);
+    if (!tried) throw new Error('Expected a program.');
+    const { matches, findings } = verifyCode(tried.doc, tried.made, write(tried.made.program).files);
+    expect(matches).toBe(true);
+    expect(findings.filter(({ code }) => code === 'limit')).toEqual([]);
+  }
+});
+
+test('a program of a controller: its inputs and flags come, frames that the model does not have are said, and why it was stopped, on its line', () => {
+  const doc = { ...newDocument(LIBRARY.fanuc_m10ia), posture: [0, 0, 0, 0, -40, 0] };
+  const found = (/** @type {string[]} */ ...lines) => {
+    const text = ['/PROG  A', '/ATTR', '/MN', ...lines.map((line, i) => `${i + 1}:${line} ;`), '/POS', '/END', ''];
+    const { moves, findings } = verifyCode(doc, null, [
+      { name: 'a.ls', language: 'fanuc-tp', text: text.join('\r\n') },
+    ]);
+    return [moves.length, ...findings.map(({ code, line }) => `${code} ${line}`)];
+  };
+  const up = ['UFRAME_NUM=3', 'UTOOL_NUM=0', 'PR[1]=LPOS', 'PR[1,3]=PR[1,3]+10', 'L PR[1] 100mm/sec FINE'];
+  const waits = ['WAIT RI[1]=ON', 'WAIT F[2:ok]=ON AND UI[3]=OFF', 'WAIT DI[1]=OFF'];
+  expect(found(...up, ...waits, 'L PR[1] 50mm/sec FINE')).toEqual([2, 'unknown-frame 8']);
+  expect(found('R[1]=0', 'WAIT R[1]=1', 'R[1]=2')).toEqual([0, 'budget 5']);
+  expect(found('R[1]=0', 'ABORT')).toEqual([0, 'aborted 5']);
 });

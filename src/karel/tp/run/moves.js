@@ -16,6 +16,9 @@ import { evaluate, indexOf, positionRegister } from './evaluate.js';
 import { FRAME_KEYS } from './memory.js';
 import { isJoint, pointValues } from './points.js';
 
+/** mm/sec: the most that HandlingTool's manual has, for max_speed. */
+const FASTEST = 2000;
+
 /** @param {TpMotion} node @param {TpMachine} machine @param {TpFrame} frame @returns {Effect} */
 export function moveEffect(node, machine, frame) {
   const target = placeOf(node.target, node, machine, frame);
@@ -28,7 +31,12 @@ export function moveEffect(node, machine, frame) {
     ...{ position: target.values, isJoint: isJoint(target.values) },
     ...(via && { via: via.values, viaIsJoint: isJoint(via.values) }),
     speed: {
-      value: speed.value.kind === 'word' ? null : number(evaluate(speed.value, machine, frame)),
+      value:
+        speed.value.kind === 'word'
+          ? speed.value.word === 'max_speed'
+            ? FASTEST
+            : null
+          : number(evaluate(speed.value, machine, frame)),
       unit: speed.unit,
     },
     termination:

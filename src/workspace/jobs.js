@@ -43,9 +43,10 @@ import { firstSections } from './firstSection.js';
 import { createPointFinder } from './points.js';
 import { createSampler } from './sampler.js';
 import { mapSection } from './section.js';
-import { summaryOf } from './summary.js';
+import { saying } from './steps.js';
+import { summarising } from './summary.js';
 import { mapVolume } from './volume.js';
-import { surfaceOf } from './voxelSurface.js';
+import { surfacing } from './voxelSurface.js';
 
 const CLOUD = 1e6;
 const CLOUD_SLICE = 5e4;
@@ -73,7 +74,7 @@ export function* workspaceJob(description, job) {
     }
     case 'volume': {
       const voxels = yield* withPictures(mapVolume(chain, job.options));
-      return { kind: 'volume', ...pictureOf(voxels) };
+      return { kind: 'volume', ...(yield* pictureOf(voxels, { stage: 'middles', share: 1 })) };
     }
     case 'points': {
       const finder = createPointFinder(chain, job.options);
@@ -89,8 +90,15 @@ export function* workspaceJob(description, job) {
   }
 }
 
-/** Cubes with what whoever shows them would have to look for. @param {Voxels} voxels */
-const pictureOf = (voxels) => ({ voxels, surface: surfaceOf(voxels), summary: summaryOf(voxels) });
+/**
+ * Cubes with what whoever shows them would have to look for.
+ * @param {Voxels} voxels
+ * @param {Word} word  that is said meanwhile
+ */
+function* pictureOf(voxels, word) {
+  const surface = yield* saying(word, surfacing(voxels));
+  return { voxels, surface, summary: yield* saying(word, summarising(voxels)) };
+}
 
 /**
  * Cubes that are told of on the way come with the same.
@@ -100,8 +108,8 @@ const pictureOf = (voxels) => ({ voxels, surface: surfaceOf(voxels), summary: su
 function* withPictures(work) {
   let step = work.next();
   for (; !step.done; step = work.next()) {
-    const { voxels } = step.value;
-    yield voxels ? { ...step.value, ...pictureOf(voxels) } : step.value;
+    const { voxels, ...word } = step.value;
+    yield voxels ? { ...word, ...(yield* pictureOf(voxels, word)) } : word;
   }
   return step.value;
 }

@@ -61,8 +61,8 @@ import { outlinesOfFields } from './fieldOutlines.js';
 import { enclosed, onlyOnce, outlinesOf } from './outline.js';
 import { createSampler } from './sampler.js';
 import { createSectionMap, ownCut } from './sectionMap.js';
+import { atOnce } from './steps.js';
 import { sweptVolume } from './swept.js';
-import { atOnce } from './traced.js';
 
 /** A gap longer than so many tolerances says that a piece between two lookings was overlooked: then all are looked at closely. */
 const SUSPICIOUS = 60;

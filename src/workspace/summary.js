@@ -19,17 +19,20 @@
  * @property {Record<'height' | 'manipulability' | 'margin' | 'directions', Scale> & { postures: Scale | null }} scales
  */
 
+import { AT_ONCE } from './voxels.js';
+
 /** Parts of a scale that is no count. */
 const PARTS = 4;
 
-/** @param {Voxels} voxels @returns {Summary | null} null if nothing is reached */
-export function summaryOf(voxels) {
+/** @param {Voxels} voxels @returns {Generator<null, Summary | null>} null if nothing is reached */
+export function* summarising(voxels) {
   const { reached, counts, corner, size, postures } = voxels;
   const layerSize = counts[0] * counts[1];
   let count = 0;
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
   for (let cube = 0; cube < reached.length; cube++) {
+    if (cube % AT_ONCE === AT_ONCE - 1) yield null;
     if (!reached[cube]) continue;
     count++;
     const [i, j, k] = [cube % counts[0], Math.floor(cube / counts[0]) % counts[1], Math.floor(cube / layerSize)];
@@ -50,13 +53,13 @@ export function summaryOf(voxels) {
     count,
     low: low.map((at, axis) => corner[axis] + at * size),
     high: high.map((at, axis) => corner[axis] + (at + 1) * size),
-    layer: across < 0 ? null : { across, ...layerArea(voxels, across) },
+    layer: across < 0 ? null : { across, ...(yield* layerArea(voxels, across)) },
     scales: {
-      height: scale(heightOf),
-      manipulability: scale(valuesOf(voxels.manipulability), { least: 0 }),
-      margin: scale(valuesOf(voxels.margin), { least: 0, most: 1 }),
-      directions: scale(valuesOf(voxels.directions), { least: 0, most: 1 }),
-      postures: postures ? scale(valuesOf(postures), { isCount: true }) : null,
+      height: yield* scale(heightOf),
+      manipulability: yield* scale(valuesOf(voxels.manipulability), { least: 0 }),
+      margin: yield* scale(valuesOf(voxels.margin), { least: 0, most: 1 }),
+      directions: yield* scale(valuesOf(voxels.directions), { least: 0, most: 1 }),
+      postures: postures ? yield* scale(valuesOf(postures), { isCount: true }) : null,
     },
   };
 }
@@ -66,11 +69,12 @@ export function summaryOf(voxels) {
  * @param {number} count
  * @param {(cube: number) => number} of
  * @param {Partial<Scale>} fixed  what is known of the scale
- * @returns {Scale}
+ * @returns {Generator<null, Scale>}
  */
-function scaleOf(reached, count, of, { isCount = false, ...fixed }) {
+function* scaleOf(reached, count, of, { isCount = false, ...fixed }) {
   let [least, most] = [Infinity, -Infinity];
   for (let cube = 0; cube < reached.length; cube++) {
+    if (cube % AT_ONCE === AT_ONCE - 1) yield null;
     if (!reached[cube]) continue;
     const value = of(cube);
     if (value < least) least = value;
@@ -82,6 +86,7 @@ function scaleOf(reached, count, of, { isCount = false, ...fixed }) {
   const width = isCount ? parts : most - least || 1;
   const counts = new Array(parts).fill(0);
   for (let cube = 0; cube < reached.length; cube++) {
+    if (cube % AT_ONCE === AT_ONCE - 1) yield null;
     if (!reached[cube]) continue;
     const at = Math.floor(((of(cube) - least) / width) * parts);
     counts[Math.min(parts - 1, Math.max(0, at))]++;
@@ -90,10 +95,11 @@ function scaleOf(reached, count, of, { isCount = false, ...fixed }) {
 }
 
 /** @param {Voxels} voxels @param {number} across */
-function layerArea({ reached, counts, size, isMiddle }, across) {
+function* layerArea({ reached, counts, size, isMiddle }, across) {
   const steps = [1, counts[0], counts[0] * counts[1]].filter((_, axis) => axis !== across);
   let [all, edge] = [0, 0];
   for (let cube = 0; cube < reached.length; cube++) {
+    if (cube % AT_ONCE === AT_ONCE - 1) yield null;
     if (!reached[cube]) continue;
     all++;
     if (steps.some((step) => !reached[cube + step] || !reached[cube - step])) edge++;

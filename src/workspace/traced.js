@@ -21,6 +21,7 @@
  * @property {(a: Vertex, b: Vertex) => Vertex | null} between  a vertex about half-way on the curve; null if there is none
  * @property {number} roughness   m: how far the lines may be off it
  */
+import { atOnce } from './steps.js';
 
 /** Halvings of one piece, at most. */
 const DEEPEST = 14;
@@ -44,18 +45,6 @@ function besideChord(point, a, b) {
   if (length === 0) return Math.hypot(du, dv);
   const t = Math.min(1, Math.max(0, (du * (b.u - a.u) + dv * (b.v - a.v)) / (length * length)));
   return Math.hypot(du - t * (b.u - a.u), dv - t * (b.v - a.v));
-}
-
-/**
- * All of some work that is done in steps.
- * @template Found
- * @param {Generator<unknown, Found>} work
- * @returns {Found}
- */
-export function atOnce(work) {
-  let step = work.next();
-  while (!step.done) step = work.next();
-  return step.value;
 }
 
 /** Pieces of a curve between two steps of work. */

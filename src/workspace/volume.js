@@ -36,7 +36,8 @@ import { orientationsWanted } from './orientationsWanted.js';
 import { createPlacement, writePlacement } from './placement.js';
 import { flatNormal } from './sectionMap.js';
 import { createSampler } from './sampler.js';
-import { copyOf, cubeAt, emptyVoxels, extentOf, measured, middleOf } from './voxels.js';
+import { atOnce, saying } from './steps.js';
+import { AT_ONCE, copyOf, cubeAt, emptyVoxels, extentOf, measuring, middleOf } from './voxels.js';
 
 /** Postures for each cube: those of which only the place is looked at, and those of which all is. */
 const PLACES_EACH = 12;
@@ -44,17 +45,18 @@ const LOOKS_EACH = 2;
 const MOST_LOOKS = 6e6;
 
 const SLICE = 1e5;
-const LOOK_SLICE = 1e4;
+const LOOK_SLICE = 4e3;
 
-/** The first picture: cubes so many times as large, by so many postures. */
+/** The first picture: cubes so many times as large, but not so many along its longest side that postures would miss some. */
 const COARSE = 4;
+const FIRST_ACROSS = 24;
 const FIRST_PLACES = 5e4;
 
 /** Orientations are asked for so many cubes between two words. */
 const ASKED = 15;
 
 /** Middles are asked of so many, or passed over. */
-const MIDDLES = { asked: 800, passed: 40_000 };
+const MIDDLES = { asked: 300, passed: 40_000 };
 
 /**
  * @param {Chain} chain
@@ -71,9 +73,9 @@ export function* mapVolume(chain, options = {}) {
   const longest = Math.max(...extent.high.map((value, i) => value - extent.low[i]), 1e-6);
   const size = options.cell ?? longest / 100;
 
-  const coarse = emptyVoxels(extent, COARSE * size, joints);
+  const coarse = emptyVoxels(extent, Math.max(COARSE * size, longest / FIRST_ACROSS), joints);
   markPlaces(coarse, first);
-  yield { stage: 'places', share: 0, voxels: measured(coarse) };
+  yield { stage: 'places', share: 0, voxels: atOnce(measuring(coarse)) };
 
   const voxels = emptyVoxels(extent, size, joints);
   const places = new Float32Array(3 * SLICE);
@@ -83,7 +85,8 @@ export function* mapVolume(chain, options = {}) {
     markPlaces(voxels, places);
     yield { stage: 'places', share: Math.min(1, (done + SLICE) / many) };
   }
-  yield { stage: 'attributes', share: 0, voxels: copyOf(measured(voxels)) };
+  const begun = /** @type {const} */ ({ stage: 'attributes', share: 0 });
+  yield { ...begun, voxels: copyOf(yield* saying(begun, measuring(voxels))) };
 
   yield* lookAt(chain, voxels, withLimits, seed, looks);
   if (wanted.kind !== 'any') yield* keepOriented(chain, voxels, wanted, withLimits);
@@ -97,7 +100,7 @@ export function* mapVolume(chain, options = {}) {
     const asked = (middle) => (flat ? along(middle, -dot(minus(middle, place), flat), flat) : middle);
     yield* askMiddles(voxels, (middle) => solve(asked(middle)), wanted.kind === 'any');
   }
-  return measured(voxels);
+  return yield* saying({ stage: /** @type {const} */ ('middles'), share: 1 }, measuring(voxels));
 }
 
 /**
@@ -179,7 +182,10 @@ function* lookAt(chain, voxels, withLimits, seed, each) {
     const facing = facingOf(axis);
     facings[FACINGS * cube + (facing >> 5)] |= 1 << (facing & 31);
   }
-  for (let cube = 0; cube < voxels.reached.length; cube++) voxels.directions[cube] = shareOfFacings(facings, cube);
+  for (let cube = 0; cube < voxels.reached.length; cube++) {
+    if (cube % AT_ONCE === AT_ONCE - 1) yield { stage: 'attributes', share: 1 };
+    voxels.directions[cube] = shareOfFacings(facings, cube);
+  }
 }
 
 /**

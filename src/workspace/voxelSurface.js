@@ -1,6 +1,6 @@
 /**
  * The surface of voxels as a mesh: two triangles for each side of a reached cube whose neighbour is not. Corners are shared;
- * triangles run counterclockwise seen from outside, and together they are closed.
+ * triangles run counterclockwise seen from outside, and together they are closed. Of some cubes a step, since there may be millions.
  *
  * @import { Voxels } from './voxels.js'
  *
@@ -9,6 +9,7 @@
  * @property {Uint32Array} triangles   three corners each
  * @property {Uint32Array} cubes       the cube that each pair of triangles belongs to
  */
+import { AT_ONCE } from './voxels.js';
 
 /** The four corners of a cube's side towards lower and higher values along each axis, seen from outside. */
 const SIDES = [
@@ -20,8 +21,8 @@ const SIDES = [
   { step: [0, 0, 1], corners: [[0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]] }, // prettier-ignore
 ];
 
-/** @param {Voxels} voxels @returns {VoxelSurface} */
-export function surfaceOf({ size, corner, counts, reached }) {
+/** @param {Voxels} voxels @returns {Generator<null, VoxelSurface>} */
+export function* surfacing({ size, corner, counts, reached }) {
   const [nx, ny, nz] = counts;
   const isReached = (/** @type {number} */ i, /** @type {number} */ j, /** @type {number} */ k) =>
     i >= 0 && j >= 0 && k >= 0 && i < nx && j < ny && k < nz && reached[(k * ny + j) * nx + i] === 1;
@@ -43,8 +44,13 @@ export function surfaceOf({ size, corner, counts, reached }) {
     }
     return number;
   };
-  for (let k = 0; k < nz; k++) {
+  for (let k = 0, looked = 0; k < nz; k++) {
     for (let j = 0; j < ny; j++) {
+      looked += nx;
+      if (looked > AT_ONCE) {
+        looked = 0;
+        yield null;
+      }
       for (let i = 0; i < nx; i++) {
         if (!isReached(i, j, k)) continue;
         for (const { step, corners: four } of SIDES) {

@@ -16,8 +16,14 @@
  * @property {number} volumeError  m³: half of the cubes at the edge
  */
 
+/** So many are looked at between two steps of work. */
+export const AT_ONCE = 2e5;
+
 /** Cubes at most; if there were more of the size that is asked for, they are made larger. */
 const MOST_CUBES = 4e6;
+
+/** A box thinner than this share of a cube is flat: what there is of it is rounding. */
+const FLAT = 1e-4;
 
 /**
  * What a box of places needs.
@@ -40,9 +46,14 @@ export function emptyVoxels({ low, high }, wanted, joints) {
   const most = (/** @type {number} */ side) => widths.reduce((product, width) => product * (width / side + 2), 1);
   let size = wanted;
   while (most(size) > MOST_CUBES) size *= 1.1;
-  const first = low.map((value, i) => Math.floor((value - 0.03 * (high[i] - value)) / size));
+  // what lies in a plane lies in the middle of its cubes
+  const first = low.map((value, i) =>
+    widths[i] < FLAT * size
+      ? (value + high[i]) / 2 / size - 0.5
+      : Math.floor((value - 0.03 * (high[i] - value)) / size),
+  );
   const counts = /** @type {[number, number, number]} */ (
-    high.map((value, i) => Math.floor((value + 0.03 * (value - low[i])) / size) - first[i] + 1)
+    high.map((value, i) => Math.floor((value + 0.03 * (value - low[i])) / size - first[i]) + 1)
   );
   const cubes = counts[0] * counts[1] * counts[2];
   return {
@@ -78,13 +89,14 @@ export function middleOf({ size, corner, counts }, cube) {
   return [corner[0] + (i + 0.5) * size, corner[1] + (j + 0.5) * size, corner[2] + (k + 0.5) * size];
 }
 
-/** @param {Voxels} voxels @returns {Voxels} the same, its volume counted */
-export function measured(voxels) {
+/** @param {Voxels} voxels @returns {Generator<null, Voxels>} the same, its volume counted */
+export function* measuring(voxels) {
   const { reached, counts, size } = voxels;
   let all = 0;
   let edge = 0;
   const steps = [1, counts[0], counts[0] * counts[1]];
   for (let k = 0; k < reached.length; k++) {
+    if (k % AT_ONCE === AT_ONCE - 1) yield null;
     if (!reached[k]) continue;
     all++;
     if (steps.some((step) => !reached[k + step] || !reached[k - step])) edge++;

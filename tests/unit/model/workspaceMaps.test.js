@@ -23,7 +23,8 @@ import { cubeOf, reachValues } from '../../../src/model/workspace/reachValues.js
 import { holesOf, stripesOf, thinned, withHoles } from '../../../src/model/workspace/sectionShape.js';
 import { FIRST_WORKSPACE } from '../../../src/model/workspace/workspaceView.js';
 import { firstRobot } from '../../../src/model/shelf.js';
-import { summaryOf } from '../../../src/workspace/summary.js';
+import { atOnce } from '../../../src/workspace/steps.js';
+import { summarising } from '../../../src/workspace/summary.js';
 import { SEED, runs } from '../../helpers/property.js';
 
 const asking = (/** @type {object} */ change = {}, tab = 'workspace') =>
@@ -142,6 +143,8 @@ const CUBES = {
 }; // prettier-ignore
 
 describe('the volume in numbers', () => {
+  const summaryOf = (/** @type {typeof CUBES | (Omit<typeof CUBES, 'postures'> & { postures: null })} */ cubes) =>
+    atOnce(summarising(cubes));
   const summary = summaryOf(CUBES);
   if (!summary) throw new Error('Three cubes are reached.');
 

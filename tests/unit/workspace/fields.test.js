@@ -5,7 +5,7 @@ import { createChain } from '../../../src/kinematics/chain.js';
 import { arranged, endsOf, ringsOf } from '../../../src/workspace/arrangement.js';
 import { createSampler } from '../../../src/workspace/sampler.js';
 import { sectionAtOnce } from '../../../src/workspace/section.js';
-import { atOnce } from '../../../src/workspace/traced.js';
+import { atOnce } from '../../../src/workspace/steps.js';
 import { runs, SEED } from '../../helpers/property.js';
 import { publishedArm } from '../kinematics/publishedArms.js';
 import { annulus, armOf, planar, sliding, turning } from './arms.js';

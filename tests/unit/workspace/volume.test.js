@@ -2,14 +2,17 @@
 import { describe, expect, test } from 'vitest';
 import { createChain } from '../../../src/kinematics/chain.js';
 import { facingOf, shareOfFacings } from '../../../src/workspace/facings.js';
+import { atOnce } from '../../../src/workspace/steps.js';
+import { summarising } from '../../../src/workspace/summary.js';
 import { mapVolume } from '../../../src/workspace/volume.js';
-import { cubeAt, middleOf } from '../../../src/workspace/voxels.js';
-import { surfaceOf } from '../../../src/workspace/voxelSurface.js';
+import { cubeAt, emptyVoxels, measuring, middleOf } from '../../../src/workspace/voxels.js';
+import { surfacing } from '../../../src/workspace/voxelSurface.js';
 import { publishedArm } from '../kinematics/publishedArms.js';
-import { anthropomorphic, cartesian, scara } from './arms.js';
+import { anthropomorphic, cartesian, planar, scara } from './arms.js';
 
 /** @import { ChainDescription } from '../../../src/kinematics/chain.js' */
 /** @import { VolumeOptions } from '../../../src/workspace/volume.js' */
+/** @import { VoxelSurface } from '../../../src/workspace/voxelSurface.js' */
 
 /** @param {ChainDescription} arm @param {VolumeOptions} options */
 function volumeOf(arm, options) {
@@ -20,7 +23,7 @@ function volumeOf(arm, options) {
   return { voxels: step.value, first: first.done ? null : first.value };
 }
 
-/** Twice the signed volume that the triangles enclose, sixfold, by the divergence theorem. @param {ReturnType<typeof surfaceOf>} surface */
+/** Twice the signed volume that the triangles enclose, sixfold, by the divergence theorem. @param {VoxelSurface} surface */
 function enclosedBy({ corners, triangles }) {
   let sum = 0;
   for (let i = 0; i < triangles.length; i += 3) {
@@ -44,7 +47,7 @@ describe('the volume of', () => {
       if (voxels.reached[k] && Math.abs(middleOf(voxels, k)[0]) > 1e-9) expect(voxels.postures?.[k]).toBe(4);
     }
     expect(Math.abs(voxels.volume - 1.4325662500369452)).toBeLessThan(voxels.volumeError);
-    expect(enclosedBy(surfaceOf(voxels))).toBeCloseTo(voxels.volume, 5);
+    expect(enclosedBy(atOnce(surfacing(voxels)))).toBeCloseTo(voxels.volume, 5);
   });
 
   test('a box and a SCARA arm', () => {
@@ -75,6 +78,21 @@ describe('the volume of', () => {
     const ask = () => volumeOf(publishedArm('ur5'), { cell: 0.4, seed: 5 }).voxels;
     expect(ask()).toEqual(ask());
   });
+});
+
+test('many cubes are counted, drawn and summed up in steps, so that work can be stopped', () => {
+  const voxels = emptyVoxels({ low: [0, 0, 0], high: [1, 1, 0.3] }, 0.01, 3);
+  expect(voxels.reached.length).toBeGreaterThan(3e5);
+  for (const work of [measuring(voxels), surfacing(voxels), summarising(voxels)]) {
+    voxels.reached[0] = 1;
+    expect(work.next().done).toBe(false);
+  }
+});
+
+test('what lies in one plane is in the middle of its cubes', () => {
+  const { voxels } = volumeOf(planar([0.5, 0.3]), { cell: 0.1 });
+  expect(voxels.counts[2]).toBe(1);
+  expect(middleOf(voxels, 0)[2]).toBe(0);
 });
 
 test('a cube is found again by its middle', () => {

@@ -161,7 +161,7 @@ function* lookAt(chain, voxels, withLimits, seed, each) {
   const end = frames.length - 16;
   const looks = Math.min(MOST_LOOKS, each * voxels.reached.length);
   for (let index = 0; index < looks; index++) {
-    if (index % LOOK_SLICE === LOOK_SLICE - 1) yield { stage: 'attributes', share: index / looks };
+    if (index % LOOK_SLICE === 0) yield { stage: 'attributes', share: index / looks };
     sampler.postureAt(index, q);
     // joints that do not move the TCP turn the tool
     for (let i = 0; i < q.length; i++) {

@@ -120,6 +120,21 @@ export function createConditions(map, { free, x }) {
       map.write(full);
       return { x: full, u: map.f[0], v: map.f[1] };
     },
+    /**
+     * Whether a step leads over the axis of a half-plane, to its other side.
+     * @param {Float64Array} from
+     * @param {Float64Array} to
+     */
+    crosses(from, to) {
+      if (map.kind !== 'meridian') return false;
+      const [before, after] = [from, to].map((y) => {
+        write(y, values);
+        return map.needed();
+      });
+      return Math.cos(after - before) < 0;
+    },
+    /** The same with the normal as it is on the other side of the axis. @param {Float64Array} y @param {number} [half] */
+    mirrored: (y, half = Math.PI) => y.with(m, half - y[m]),
     /** @param {Vertex} vertex @returns {Float64Array} */
     unknowns: ({ x: full }) => Float64Array.from([...free.map((k) => full[k]), full[full.length - 1]]),
   };

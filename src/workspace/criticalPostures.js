@@ -38,6 +38,10 @@ const FIRST_STEP = 0.02;
 const LONGEST_STEP = 0.06;
 const MOST_STEPS = 3000;
 
+/** Up to what ends a curve it is followed by steps that are halved until they are no longer than this, and over the axis by one of the other, rad. */
+const SHORTEST_STEP = 1e-7;
+const OVER = 1e-4;
+
 /** Steps along a curve between two steps of work. */
 const FOLLOWED = 100;
 
@@ -183,9 +187,24 @@ function* follow(conditions, from, sense, isInside, rounds, drawn, tolerance) {
     const turn = before ? tangent.reduce((sum, value, i) => sum + value * before[i], 0) : sense;
     if (turn < 0) for (let i = 0; i < tangent.length; i++) tangent[i] = -tangent[i];
     const next = y.map((value, i) => value + step * tangent[i]);
+    if (conditions.crosses(y, next)) {
+      if (step > SHORTEST_STEP) {
+        step /= 2; // up to the axis
+        continue;
+      }
+      // there it is turned back: the same curve goes on, seen from the other side
+      const over = conditions.mirrored(y.map((value, i) => value + OVER * tangent[i]));
+      if (!conditions.meet(over) || !isInside(over)) break;
+      vertices.push(conditions.vertex(conditions.mirrored(y)), conditions.vertex(over));
+      heading = conditions.mirrored(tangent, 0);
+      y = over;
+      step = OVER;
+      continue;
+    }
     const isMet = conditions.meet(next);
     const way = Math.hypot(...next.map((value, i) => value - y[i]));
-    const isStep = isMet && way <= 2 * step && way >= HELD * step;
+    const along = next.reduce((sum, value, i) => sum + (value - y[i]) * tangent[i], 0);
+    const isStep = isMet && way <= 2 * step && along >= HELD * step;
     if (!isStep || Math.abs(turn) < 0.9) {
       if (step > 1e-5) {
         step /= 2;
@@ -194,7 +213,7 @@ function* follow(conditions, from, sense, isInside, rounds, drawn, tolerance) {
       if (!isStep) break;
     }
     if (!isInside(next)) {
-      if (step < 1e-7) break;
+      if (step < SHORTEST_STEP) break;
       step /= 2; // up to the face's border
       continue;
     }

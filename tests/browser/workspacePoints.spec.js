@@ -1,7 +1,7 @@
 /** Points, lines and critical postures of the workspace, as they are asked for. */
 import { expect, test } from '@playwright/test';
 import { expectAccessible } from './accessible.js';
-import { open, tool } from './page.js';
+import { open, settled, tool } from './page.js';
 
 test.use({ reducedMotion: 'reduce' });
 
@@ -43,5 +43,13 @@ test('a list of points, a line that stops, and a critical posture that the arm m
   await page.keyboard.press('Enter');
   // The elbow is straight with J3 at a right angle, but for its small offset.
   await expect.poll(async () => Math.abs((await page.evaluate(() => window.denavit.joints()))[2] + 90) < 5).toBe(true);
+
+  // a number in the drawing is pressed, though the arm moves meanwhile and the drawing with it
+  await page.locator('#fold-reach-teach-body .figure-dot').first().hover();
+  await page.mouse.down();
+  await page.evaluate(() => window.denavit.setJoints([0, 0, 0, 0, 0, 0]));
+  await settled(page);
+  await page.mouse.up();
+  await expect.poll(() => page.evaluate(() => window.denavit.joints().some((value) => Math.abs(value) > 1))).toBe(true);
   await expectAccessible(page);
 });

@@ -6,7 +6,7 @@
 import { createFrameLoop } from '../../model/clock.js';
 
 /** A list of choices is none of them: letting it go is nothing that a page is told of. */
-const PRESSED = 'button, summary, label, [type=checkbox], [data-at-line]';
+const PRESSED = 'button, summary, label, [type=checkbox], [data-at-line], .is-live';
 
 /**
  * @param {EventTarget} host

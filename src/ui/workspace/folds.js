@@ -33,11 +33,11 @@ export const FOLDS = [
   {
     id: 'points',
     name: WORKSPACE.name.points,
-    create: async (page, body, say) => (await import('./pointsPanel.js')).createPointsPanel(page, body, say),
+    create: async (...given) => (await import('./pointsPanel.js')).createPointsPanel(...given),
   },
   {
     id: 'teach',
     name: WORKSPACE.name.teach,
-    create: async (page, body, say) => (await import('./teachPanel.js')).createTeachPanel(page, body, say),
+    create: async (...given) => (await import('./teachPanel.js')).createTeachPanel(...given),
   },
 ];

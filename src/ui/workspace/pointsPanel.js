@@ -5,6 +5,8 @@
  * @import { Page } from '../page.js'
  * @import { PointRow, LineRow } from '../../model/workspace/pointAnswers.js'
  * @import { NamedPoint } from '../../io/pointsText.js'
+ * @import { Asked } from './mapper.js'
+ * @import { MapWorkspaceAnswer } from '../../workers/mapWorkspace.js'
  */
 import '../css/workspacePoints.css';
 import { MAX_POINTS_TEXT, readPoints } from '../../io/pointsText.js';
@@ -27,8 +29,8 @@ import { createPointsTable, SHORT_NAME } from './pointsTable.js';
 import { sectionNow, showProbe } from './probes.js';
 import { createReachFigure } from './reachFigure.js';
 
-/** @param {Page} page @param {HTMLElement} body @param {(summary: string) => void} say */
-export function createPointsPanel(page, body, say) {
+/** @param {Page} page @param {HTMLElement} body @param {(summary: string) => void} say @param {(draw: () => void) => void} afterPress  when nothing is pressed */
+export function createPointsPanel(page, body, say, afterPress) {
   const { store, addView, derived, announce, clock, messages } = page;
   const robot = () => store.state.doc.robot;
   const chainNow = () => derived.chain(store.state.doc);
@@ -128,6 +130,8 @@ export function createPointsPanel(page, body, say) {
     const { convention, base, tool, joints } = chainNow();
     return { convention, base, tool, joints };
   };
+  /** @param {typeof mapper} by @param {Asked['job']} job @param {(said: MapWorkspaceAnswer) => void} answered  when nothing is pressed */
+  const ask = (by, job, answered) => by.ask({ chain: describe(), job }, (said) => afterPress(() => answered(said)));
   const options = () => ({ withLimits: viewNow(page).withLimits, seed: viewNow(page).seed });
   /** @param {readonly number[]} at */
   const inKernel = (at) => at.map((value) => toKernel('length', value, robot().units));
@@ -147,7 +151,8 @@ export function createPointsPanel(page, body, say) {
     working.hidden = false;
     working.textContent = POINTS.asking(0, points.length);
     const places = points.map(({ at }) => inKernel(at));
-    mapper.ask({ chain: describe(), job: { kind: 'points', places, options: options() } }, (said) => {
+    ask(mapper, { kind: 'points', places, options: options() }, (said) => {
+      if (asked !== points) return;
       if ('fault' in said) return failed(new Error(said.fault));
       if ('word' in said) {
         working.textContent = POINTS.asking(Math.round(said.word.share * points.length), points.length);
@@ -173,7 +178,7 @@ export function createPointsPanel(page, body, say) {
     line = now;
     lineAnswer.draw(null, POINTS.line.working);
     const [a, b] = [from, to].map((i) => inKernel(asked[i].at));
-    liner.ask({ chain: describe(), job: { kind: 'line', from: a, to: b, options: options() } }, (said) => {
+    ask(liner, { kind: 'line', from: a, to: b, options: options() }, (said) => {
       if ('fault' in said) return failed(new Error(said.fault));
       if ('word' in said || said.found.kind !== 'line' || line !== now) return;
       now.row = lineRow(robot(), said.found.answer);
@@ -281,13 +286,13 @@ export function createPointsPanel(page, body, say) {
       if (!isOpen || now === before) return;
       const isFirst = before === '';
       before = now;
-      if (!isFirst && asked.length > 0) clock.onFrame(() => read());
+      if (!isFirst && asked.length > 0) clock.onFrame(() => afterPress(read));
     },
   );
   addView(
     together(({ doc, session }) => [session.maps.section, doc.posture, isFoldOpen(session, 'points')]),
     ([, , isOpen]) => {
-      if (isOpen) drawFigure();
+      if (isOpen) afterPress(drawFigure);
     },
   );
 }

@@ -25,9 +25,11 @@ import { fill, h } from '../parts/dom.js';
 import { svg } from '../parts/svg.js';
 import { SECTION } from '../words/workspaceSection.js';
 import { lengthText } from './measures.js';
+import { placeOf } from './placeOf.js';
 
 const SIZE = { width: 372, height: 260 };
 const ROOM = 14;
+const MIDDLE = { x: SIZE.width / 2, y: SIZE.height / 2 };
 const INNER = { width: SIZE.width - 2 * ROOM, height: SIZE.height - 2 * ROOM };
 
 /** Pixels that keys move the cross. */
@@ -72,8 +74,10 @@ export function createReachFigure(label, onPick, announce) {
   /** @type {{ u: number, v: number } | null} */
   let at = null;
 
-  const x = (/** @type {number} */ u) => SIZE.width / 2 + (u - window.u) * window.scale;
-  const y = (/** @type {number} */ v) => SIZE.height / 2 - (v - window.v) * window.scale;
+  const x = (/** @type {number} */ u) => MIDDLE.x + (u - window.u) * window.scale;
+  const y = (/** @type {number} */ v) => MIDDLE.y - (v - window.v) * window.scale;
+
+  const placeHere = (/** @type {MouseEvent} */ event) => placeOf(event, picture, SIZE, MIDDLE, window);
 
   /** @param {readonly number[] | Float64Array} points  u, v each @param {boolean} isClosed */
   function path(points, isClosed) {
@@ -98,23 +102,10 @@ export function createReachFigure(label, onPick, announce) {
     );
   }
 
-  /** @param {MouseEvent} event */
-  function placeOf(event) {
-    const box = picture.getBoundingClientRect();
-    const [px, py] = [
-      ((event.clientX - box.left) / box.width) * SIZE.width,
-      ((event.clientY - box.top) / box.height) * SIZE.height,
-    ];
-    return {
-      u: window.u + (px - SIZE.width / 2) / window.scale,
-      v: window.v - (py - SIZE.height / 2) / window.scale,
-    };
-  }
-
   if (onPick) {
     picture.addEventListener('pointermove', (event) => {
       if (!(event instanceof PointerEvent)) return;
-      at = placeOf(event);
+      at = placeHere(event);
       drawCross();
     });
     picture.addEventListener('pointerleave', () => {
@@ -124,7 +115,7 @@ export function createReachFigure(label, onPick, announce) {
     });
     picture.addEventListener('click', (event) => {
       if (!(event instanceof MouseEvent) || !shown) return;
-      const { u, v } = placeOf(event);
+      const { u, v } = placeHere(event);
       onPick(u, v);
     });
     picture.addEventListener('keydown', (event) => {

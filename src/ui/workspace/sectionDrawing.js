@@ -14,11 +14,13 @@ import { icon } from '../parts/icons.js';
 import { svg } from '../parts/svg.js';
 import { SECTION } from '../words/workspaceSection.js';
 import { lengthSign, lengthText, tickText } from './measures.js';
+import { placeOf } from './placeOf.js';
 
 /** Of the drawing, in its own pixels. */
 const SIZE = { width: 372, height: 320 };
 const ROOM = { left: 46, right: 8, top: 8, bottom: 34 };
 const INNER = { width: SIZE.width - ROOM.left - ROOM.right, height: SIZE.height - ROOM.top - ROOM.bottom };
+const MIDDLE = { x: ROOM.left + INNER.width / 2, y: ROOM.top + INNER.height / 2 };
 
 const ZOOM = 1.6;
 /** A wheel's step, and what counts as one. */
@@ -91,21 +93,10 @@ export function createSectionDrawing(announce) {
   /** Where the cross is, m. @type {{ u: number, v: number } | null} */
   let at = null;
 
-  const x = (/** @type {number} */ u) => ROOM.left + INNER.width / 2 + (u - window.u) * window.scale;
-  const y = (/** @type {number} */ v) => ROOM.top + INNER.height / 2 - (v - window.v) * window.scale;
+  const x = (/** @type {number} */ u) => MIDDLE.x + (u - window.u) * window.scale;
+  const y = (/** @type {number} */ v) => MIDDLE.y - (v - window.v) * window.scale;
 
-  /** @param {MouseEvent} event @returns {{ u: number, v: number }} */
-  function placeOf(event) {
-    const box = picture.getBoundingClientRect();
-    const [px, py] = [
-      ((event.clientX - box.left) / box.width) * SIZE.width,
-      ((event.clientY - box.top) / box.height) * SIZE.height,
-    ];
-    return {
-      u: window.u + (px - ROOM.left - INNER.width / 2) / window.scale,
-      v: window.v - (py - ROOM.top - INNER.height / 2) / window.scale,
-    };
-  }
+  const placeHere = (/** @type {MouseEvent} */ event) => placeOf(event, picture, SIZE, MIDDLE, window);
 
   function drawCross() {
     if (!at || !shown) {
@@ -204,7 +195,7 @@ export function createSectionDrawing(announce) {
       const isMeant = event instanceof WheelEvent && (event.ctrlKey || document.activeElement === picture);
       if (!isMeant || !shown) return;
       event.preventDefault();
-      zoom(event.deltaY < 0 ? WHEEL : 1 / WHEEL, placeOf(event));
+      zoom(event.deltaY < 0 ? WHEEL : 1 / WHEEL, placeHere(event));
     },
     { passive: false },
   );
@@ -212,18 +203,18 @@ export function createSectionDrawing(announce) {
   let held = null;
   picture.addEventListener('pointerdown', (event) => {
     if (!(event instanceof PointerEvent) || event.button !== 0) return;
-    held = placeOf(event);
+    held = placeHere(event);
     picture.setPointerCapture(event.pointerId);
   });
   picture.addEventListener('pointermove', (event) => {
     if (!(event instanceof PointerEvent) || !shown) return;
-    const here = placeOf(event);
+    const here = placeHere(event);
     if (held && event.buttons > 0) {
       isFitted = false;
       window = moveWindow(window, held, here);
       draw();
     }
-    at = placeOf(event);
+    at = placeHere(event);
     drawCross();
   });
   for (const end of ['pointerup', 'pointercancel']) picture.addEventListener(end, () => void (held = null));

@@ -12,7 +12,6 @@ import { together } from '../../model/views.js';
 import { holesOf } from '../../model/workspace/sectionShape.js';
 import { fill, h } from '../parts/dom.js';
 import { jointNumber, withUnit } from '../parts/format.js';
-import { icon } from '../parts/icons.js';
 import { TEXT } from '../strings.js';
 import { WORKSPACE } from '../words/workspace.js';
 import { SECTION } from '../words/workspaceSection.js';
@@ -20,6 +19,7 @@ import { look, viewNow } from './look.js';
 import { createMapProgress, headText } from './mapProgress.js';
 import { sectionInWords } from './mapText.js';
 import { grouped, lengthText, measureText, shortLength } from './measures.js';
+import { createSaveButton } from './saveButton.js';
 import { createSectionDrawing } from './sectionDrawing.js';
 import { createSectionFields } from './sectionFields.js';
 
@@ -34,7 +34,7 @@ const NEARLY = 1e-9;
 
 /** @param {Page} page @param {HTMLElement} body @param {(summary: string) => void} say @param {(draw: () => void) => void} afterPress  when nothing is pressed */
 export function createSectionPanel(page, body, say, afterPress) {
-  const { store, addView, derived, messages, announce } = page;
+  const { store, addView, derived, announce } = page;
   const shown = h('input', { type: 'checkbox', role: 'switch' });
   shown.addEventListener('change', () => look(page, { hasSection: shown.checked }));
   const about = h('p', { class: 'sm soft' });
@@ -46,15 +46,7 @@ export function createSectionPanel(page, body, say, afterPress) {
   const holesPart = h('details', { class: 'plot-table' }, h('summary', {}, SECTION.holesList), holes);
   const sentence = h('p', { class: 'visually-hidden' });
   const note = h('p', { class: 'sm soft' });
-  const save = h('button', { type: 'button', class: 'btn btn-outline' }, icon('download'), WORKSPACE.save);
-  save.addEventListener('click', async () => {
-    try {
-      const { saveSection } = await import('./saveMap.js');
-      saveSection(page);
-    } catch (error) {
-      messages.fault(error);
-    }
-  });
+  const save = createSaveButton(page, 'saveSection');
   fill(
     body,
     h(

@@ -27,8 +27,8 @@ const HALF_TURN = Math.PI;
 /** So many traces are kept; the oldest goes first. */
 const MOST_TRACES = 40;
 
-/** @param {Page} page @param {HTMLElement} body @param {(summary: string) => void} say */
-export function createTeachPanel(page, body, say) {
+/** @param {Page} page @param {HTMLElement} body @param {(summary: string) => void} say @param {(draw: () => void) => void} afterPress  when nothing is pressed */
+export function createTeachPanel(page, body, say, afterPress) {
   const { store, addView, derived, announce } = page;
   const robot = () => store.state.doc.robot;
   const chainNow = () => derived.chain(store.state.doc);
@@ -182,17 +182,25 @@ export function createTeachPanel(page, body, say) {
           for (let k = 0; k < points.length; k += 3) seen.push(...seenInSection(section, points, k));
           return { points: seen, kind };
         }),
-        dots: ones.map(({ u, v }, i) => ({ u, v, text: String(i + 1), isReached: true, press: () => go(i) })),
+        dots: ones.map((one, i) => ({ ...one, text: String(i + 1), isReached: true, press: () => go(one) })),
         tool: seenInSection(section, toolPlace(chainNow(), postureNow())),
       },
       `${TEACH.drawing}. ${TEACH.drawingWords(ones.length)}`,
     );
   }
 
-  /** @param {number} index */
-  function go(index) {
-    const name = nameOf(ones[index]);
-    travelTo(page, postureFromKernel(robot(), ones[index].q), () => announce(TEACH.went(name)));
+  /** @param {CriticalOne} one */
+  function go(one) {
+    const name = nameOf(one);
+    travelTo(page, postureFromKernel(robot(), one.q), () => announce(TEACH.went(name)));
+  }
+
+  function drawOnes() {
+    const section = sectionNow(store);
+    const isOpen = isFoldOpen(store.state.session, 'teach');
+    ones = section && isOpen ? withOwnFirst(criticalOnes(chainNow(), section)) : [];
+    drawList();
+    page.clock.onFrame(show); // not while views are drawn
   }
 
   function drawList() {
@@ -207,26 +215,30 @@ export function createTeachPanel(page, body, say) {
           h('span', { class: 'b' }, String(i + 1)),
           h('span', { class: 'values' }, name),
         );
-        button.addEventListener('click', () => go(i));
+        button.addEventListener('click', () => go(one));
         return h('li', {}, button);
       }),
     );
     say(ones.length > 0 ? TEACH.summary(ones.length) : '');
   }
 
-  /** @type {ReturnType<typeof row>[]} */
+  /** Those of this robot. @type {ReturnType<typeof row>[]} */
   let drawnRows = [];
+  function drawRows() {
+    drawnRows = robot().joints.map((_, joint) => row(joint));
+    fill(
+      rows,
+      drawnRows.map(({ element }) => element),
+    );
+    for (const each of drawnRows) each.draw();
+  }
   addView(
     ({ doc }) => doc.robot,
     () => {
       held = null;
       traces = [];
-      drawnRows = robot().joints.map((_, joint) => row(joint));
-      fill(
-        rows,
-        drawnRows.map(({ element }) => element),
-      );
-      for (const each of drawnRows) each.draw();
+      drawnRows = [];
+      afterPress(drawRows);
     },
   );
   addView(
@@ -237,20 +249,15 @@ export function createTeachPanel(page, body, say) {
   );
   addView(
     together(({ session }) => [session.maps.section, isFoldOpen(session, 'teach')]),
-    ([, isOpen]) => {
-      const section = sectionNow(store);
-      ones = section && isOpen ? withOwnFirst(criticalOnes(chainNow(), section)) : [];
-      drawList();
-      page.clock.onFrame(show); // not while views are drawn
-    },
+    () => afterPress(drawOnes),
   );
   whenPressed(page, 'teach', (index) => {
-    if (index < ones.length) go(index);
+    if (index < ones.length) go(ones[index]);
   });
   addView(
     together(({ doc, session }) => [doc.posture, isFoldOpen(session, 'teach')]),
     ([, isOpen]) => {
-      if (isOpen) drawFigure();
+      if (isOpen) afterPress(drawFigure);
     },
   );
 

@@ -12,7 +12,6 @@ import { COLOURS, DETAILS, OPACITY, STYLES } from '../../model/workspace/workspa
 import { captionedSelect, select } from '../parts/captioned.js';
 import { fill, h } from '../parts/dom.js';
 import { fixed } from '../parts/format.js';
-import { icon } from '../parts/icons.js';
 import { segments } from '../parts/segments.js';
 import { WORKSPACE } from '../words/workspace.js';
 import { createLegend } from './legend.js';
@@ -20,6 +19,7 @@ import { look, viewNow } from './look.js';
 import { createMapProgress, headText } from './mapProgress.js';
 import { sizeOf, volumeInWords } from './mapText.js';
 import { grouped, shortLength } from './measures.js';
+import { createSaveButton } from './saveButton.js';
 import { createSeedField } from './seedField.js';
 import { createToolFields } from './toolFields.js';
 
@@ -30,7 +30,7 @@ const COORDINATES = 3;
 
 /** @param {Page} page @param {HTMLElement} body @param {(summary: string) => void} say @param {(draw: () => void) => void} afterPress  when nothing is pressed */
 export function createVolumePanel(page, body, say, afterPress) {
-  const { store, addView, derived, messages } = page;
+  const { store, addView, derived } = page;
   const style = segments(WORDS.style.label, STYLES, WORDS.style.name, (value) => look(page, { style: value }));
   const shown = h('input', { type: 'checkbox', role: 'switch' });
   shown.addEventListener('change', () => look(page, { hasVolume: shown.checked }));
@@ -55,15 +55,7 @@ export function createVolumePanel(page, body, say, afterPress) {
   const facts = h('dl', { class: 'facts' });
   const sentence = h('p', { class: 'visually-hidden' });
   const note = h('p', { class: 'sm soft' });
-  const save = h('button', { type: 'button', class: 'btn btn-outline' }, icon('download'), WORKSPACE.save);
-  save.addEventListener('click', async () => {
-    try {
-      const { saveVolume } = await import('./saveMap.js');
-      saveVolume(page);
-    } catch (error) {
-      messages.fault(error);
-    }
-  });
+  const save = createSaveButton(page, 'saveVolume');
   fill(
     body,
     h(

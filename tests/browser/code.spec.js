@@ -90,6 +90,7 @@ test('files of code are opened, renamed and removed, and the document keeps them
   const menu = page.getByRole('button', { name: 'Files: new, open, rename, remove' });
   await menu.click();
   await page.getByRole('button', { name: 'Rename _2_part…' }).click();
+  await expect(page.getByLabel('Name of the program')).toBeFocused();
   await page.getByLabel('Name of the program').fill('no name');
   await page.keyboard.press('Enter');
   await expect(page.locator('.code-refusal')).toContainText('no name');
@@ -99,6 +100,7 @@ test('files of code are opened, renamed and removed, and the document keeps them
   await menu.click();
   await page.getByRole('button', { name: 'Remove part' }).click();
   await expect(page.getByText('No code yet')).toBeVisible();
+  await expect(page.locator('#panel-code :focus')).toHaveCount(1);
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect(page.getByRole('textbox', { name: 'Text of part' })).toBeVisible();
 });

@@ -20,6 +20,8 @@ import { createKrlRun } from './krlRun.js';
 
 /** Instructions, before a program is taken to be endless. */
 const MOST_STEPS = 50_000_000;
+/** x y z w p r, the configuration, and the axes outside of the arm. */
+const NO_POSITION = Array(10).fill(0);
 /** Tasks of a program at most, to tell those of different programs apart. */
 const TASKS = 100;
 
@@ -111,7 +113,7 @@ function fanuc(controller, read) {
       const now = /** @type {number[] | undefined} */ (positionRegisters[index]);
       const isReal = !Number.isInteger(value);
       if (bank === 'R') registers[index] = { value: isReal ? Math.fround(value) : value, isReal };
-      else if (now) positionRegisters[index] = now.with(slot, value);
+      else positionRegisters[index] = (now ?? NO_POSITION).with(slot, value);
     },
     answer(line) {
       const level = top();

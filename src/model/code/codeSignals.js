@@ -86,6 +86,17 @@ export function signalsOf(named, ports, language) {
     });
 }
 
+/** Registers that TP programs name by their numbers. @param {readonly ProgramDoc[]} programs @returns {{ bank: 'R' | 'PR', index: number }[]} */
+export function registersNamed(programs) {
+  const named = programs
+    .filter(({ language }) => language === 'fanuc-tp')
+    .flatMap(({ text }) => [...text.replace(REMARK['fanuc-tp'], '').matchAll(/\bP?R\[\d+/g)].map(([one]) => one));
+  return [...new Set(named)].map((one) => {
+    const [bank, index] = one.split('[');
+    return { bank: /** @type {'R' | 'PR'} */ (bank), index: Number(index) };
+  });
+}
+
 /** What programs call registers: `R[1:count]`. @param {readonly ProgramDoc[]} programs @returns {Map<string, string>} by bank and index */
 export function registerComments(programs) {
   /** @type {Map<string, string>} */

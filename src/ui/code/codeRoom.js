@@ -138,7 +138,9 @@ export function createCodeRoom(page, host, openProgram) {
   }
 
   function drawProblems() {
-    nextProblem.hidden = problems.length === 0;
+    const isNone = problems.length === 0;
+    if (isNone && document.activeElement === nextProblem) editor.focus();
+    nextProblem.hidden = isNone;
     if (!open) return;
     const here = problems.find((one) => one.line === line);
     if (here) return say(`${CODE.line(here.line)}: ${here.message}`, here.severity === 'error');

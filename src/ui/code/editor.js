@@ -179,6 +179,7 @@ export function createEditor(host, { onText, onLeave, onStops, onLine, onPoint, 
       view.dispatch({ changes });
     },
     hasFocus: () => view.hasFocus,
+    focus: () => view.focus(),
     /** What stands in a line. @param {number} number */
     placeOf(number) {
       const { from, text } = view.state.doc.line(Math.min(Math.max(1, number), view.state.doc.lines));

@@ -1,12 +1,14 @@
 /**
- * The registers that have a value, to be changed while the program stands still.
+ * The registers that have a value or are named, to be set while the program stands still.
  *
  * @import { ShownRegister } from '../../model/code/codeShown.js'
  * @import { CodeRun } from '../../model/code/codeDebugger.js'
  * @import { ProgramDoc } from '../../model/document.js'
  * @import { RunControl } from './runControl.js'
+ *
+ * @typedef {Omit<ShownRegister, 'numbers'> & { numbers: readonly (number | null)[] }} Shown  null: no value
  */
-import { registerComments } from '../../model/code/codeSignals.js';
+import { registerComments, registersNamed } from '../../model/code/codeSignals.js';
 import { memo } from '../../model/memo.js';
 import { fill, h, keepFocus } from '../parts/dom.js';
 import { CODE } from '../words/code.js';
@@ -23,6 +25,7 @@ export function createRegisterList(control) {
     list,
   );
   const commentsOf = memo(registerComments);
+  const namedIn = memo(registersNamed);
 
   list.addEventListener('change', ({ target }) => {
     if (!(target instanceof HTMLInputElement)) return;
@@ -38,7 +41,7 @@ export function createRegisterList(control) {
     element,
     /** @param {CodeRun} run @param {readonly ProgramDoc[]} programs */
     draw(run, programs) {
-      const registers = run.registers();
+      const registers = withUnset(run.registers(), namedIn(programs));
       const isLocked = control.mode() === 'running';
       const key = JSON.stringify([registers, isLocked]);
       if (key === drawn) return;
@@ -55,10 +58,22 @@ export function createRegisterList(control) {
   };
 }
 
-/** As a pendant has it: three decimals; what is not touched keeps all of them. @param {number} number */
-const shown = (number) => String(Number(number.toFixed(3)));
+const BANKS = ['R', 'PR', 'SR'];
 
-/** @param {ShownRegister} register @param {string} comment @param {boolean} isLocked */
+/** With those that programs name, and that have no value yet. @param {readonly ShownRegister[]} held @param {ReturnType<typeof registersNamed>} named @returns {Shown[]} */
+function withUnset(held, named) {
+  const unset = named.filter(({ bank, index }) => !held.some((one) => one.bank === bank && one.index === index));
+  const empty = { value: '', configuration: '' };
+  return [
+    ...held,
+    ...unset.map((one) => ({ ...empty, ...one, numbers: Array(one.bank === 'R' ? 1 : SIX).fill(null) })),
+  ].sort((a, b) => BANKS.indexOf(a.bank) - BANKS.indexOf(b.bank) || a.index - b.index);
+}
+
+/** As a pendant has it: three decimals; what is not touched keeps all of them. @param {number | null} number */
+const shown = (number) => (number === null ? '' : String(Number(number.toFixed(3))));
+
+/** @param {Shown} register @param {string} comment @param {boolean} isLocked */
 function row({ bank, index, value, numbers, configuration }, comment, isLocked) {
   const name = `${bank}[${index}]`;
   const isJoints = bank === 'PR' && configuration === null;
@@ -81,6 +96,7 @@ function row({ bank, index, value, numbers, configuration }, comment, isLocked) 
               label(slot) && h('span', {}, label(slot)),
               h('input', {
                 ...{ type: 'text', inputmode: 'decimal', class: 'form-control', value: shown(number) },
+                placeholder: CODE.unset,
                 ...{ 'aria-label': `${name} ${label(slot)}`.trim(), 'data-action': 'register', disabled: isLocked },
                 ...{ 'data-index': `${name} ${slot}`, 'data-bank': bank, 'data-number': index, 'data-slot': slot },
               }),

@@ -14,9 +14,11 @@ import { codeArm } from '../../model/code/codeArm.js';
 import { systemAtFirst } from '../../model/code/codeFrames.js';
 import { createCodeMotions } from '../../model/code/codeMotions.js';
 import { createCodeRun } from '../../model/code/codeRun.js';
+import { createGivenRegisters } from '../../model/code/givenRegisters.js';
 import { LONGEST_FRAME } from '../../model/program/player.js';
 import { fromMilliseconds, toMilliseconds } from '../../model/units.js';
 import { CODE } from '../words/code.js';
+import { effectText } from './effectText.js';
 
 /** Statements a frame at most, unless the arm moves; s of the page's time; so many statements are run before the clock is looked at. */
 const STATEMENTS = 400;
@@ -47,6 +49,7 @@ export function createRunControl({ store, clock, announce, messages }, { onChang
   /** @type {readonly number[] | null} where the run has put the arm last: the document's own list */
   let standing = null;
 
+  const given = createGivenRegisters();
   const line = () => run?.place()?.line ?? 0;
   const motions = createCodeMotions(
     () => store.state.doc,
@@ -100,23 +103,8 @@ export function createRunControl({ store, clock, announce, messages }, { onChang
       case 'pause':
         become('paused', CODE.status.paused(line()));
         return false;
-      case 'call':
-        say(CODE.called(String(effect.program)));
-        return true;
-      case 'run-task':
-        say((effect.runsAlready ? CODE.runsAlready : CODE.runs)(String(effect.program)));
-        return true;
-      case 'skipped':
-        say(CODE.skipped(Number(effect.line), String(effect.text)));
-        return true;
-      case 'error':
-        say(CODE.posted(String(effect.message || effect.code)));
-        return true;
-      case 'alarm':
-        say(CODE.taskAlarm(String(effect.task), /** @type {{ reason: string }} */ (effect.alarm).reason));
-        return true;
       default:
-        say(CODE.effect(String(effect?.kind)));
+        say(effectText(effect));
         return true;
     }
   }
@@ -235,6 +223,7 @@ export function createRunControl({ store, clock, announce, messages }, { onChang
           return made.diagnostics.map(({ span, message }) => ({ line: span.line, message }));
         }
         run = made.run;
+        given.giveTo(run);
         [said, owed, asked, standing] = [[], 0, null, null];
         motions.clear();
       }
@@ -285,7 +274,10 @@ export function createRunControl({ store, clock, announce, messages }, { onChang
 
     /** While it stands still. @param {'R' | 'PR'} bank @param {number} index @param {number} slot @param {number} value */
     setRegister(bank, index, slot, value) {
-      if (mode !== 'running') run?.setRegister(bank, index, slot, value);
+      if (run && mode !== 'running') {
+        given.note(run, [bank, index, slot, value]);
+        run.setRegister(bank, index, slot, value);
+      }
       onChange();
     },
 

@@ -84,8 +84,9 @@ export function createRunView(host, control) {
       host.hidden = run === null;
       if (!run) return;
       drawStack();
-      // TP has no variables of its own
-      if (!chosenPart) open(program.language === 'fanuc-tp' ? 'registers' : 'variables');
+      // what it has written is what a program was run for; TP has no variables of its own
+      const hasWritten = control.mode() === 'over' && run.output() !== '';
+      if (!chosenPart) open(hasWritten ? 'output' : program.language === 'fanuc-tp' ? 'registers' : 'variables');
       variables.draw(run);
       registers.draw(run, programs);
       signals.draw(run, programs, program.language);
@@ -94,10 +95,12 @@ export function createRunView(host, control) {
         output.textContent = lines || CODE.noOutput;
         output.scrollTop = output.scrollHeight;
       }
-      form.hidden = control.mode() !== 'asks';
+      const isAsked = control.mode() === 'asks';
+      if (!isAsked && form.contains(document.activeElement)) output.focus({ preventScroll: true });
+      form.hidden = !isAsked;
     },
     focusAnswer() {
-      open('output');
+      open((chosenPart = 'output'));
       answer.focus();
     },
   };

@@ -73,6 +73,7 @@ export function createVerifyPart(page, { writer, ownChosen, redraw, version, tod
 
   $(element)
     .on('click', '[data-action=cancel]', () => {
+      toVerify();
       verifier.giveUp();
       announce(VERIFY.cancelled);
     })
@@ -81,14 +82,20 @@ export function createVerifyPart(page, { writer, ownChosen, redraw, version, tod
       if (!found) return;
       found.fate = 'forced';
       save(found.files, VERIFY.savedUnverified);
+      toVerify();
       redraw();
     })
     .on('click', '[data-action=close-found]', () => {
       closed = foundNow();
+      toVerify();
       draw();
-      const again = element.parentElement?.querySelector('[data-action=verify]');
-      if (again instanceof HTMLElement) again.focus();
     });
+
+  /** To the button that began it, from one that goes. */
+  function toVerify() {
+    const button = element.parentElement?.querySelector('[data-action=verify]');
+    if (element.contains(document.activeElement) && button instanceof HTMLElement) button.focus();
+  }
 
   const bar = h('progress', { max: 1, 'aria-label': VERIFY.region });
   const share = h('p', {});
@@ -107,8 +114,10 @@ export function createVerifyPart(page, { writer, ownChosen, redraw, version, tod
       bar.value = progress;
       share.textContent = VERIFY.isRunning(fixed(100 * progress, 0));
       if (!underWay.isConnected) fill(element, underWay);
-    } else if (found) fill(element, drawVerification(found, store.state.doc.robot, isWhole));
-    else fill(element);
+    } else {
+      if (underWay.isConnected) toVerify();
+      fill(element, found ? drawVerification(found, store.state.doc.robot, isWhole) : null);
+    }
   }
 
   function verifyWritten() {

@@ -37,8 +37,8 @@ export function withChoices(button, choices, { className = '', inset = 0 } = {})
       ]),
     );
   });
-  // What a choice does may take the focus; if nothing does, it goes back to where the menu was opened.
-  list.addEventListener('click', () => button.focus());
+  // It goes back to where the menu was opened, before the choice is carried out, which may take it.
+  list.addEventListener('click', () => button.focus(), true);
   giveMenu(button, [inset, 2]);
   return dropdown;
 }

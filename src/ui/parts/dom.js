@@ -54,7 +54,9 @@ export function keepFocus(host, fallback, redraw) {
   const { activeElement } = document;
   const had = activeElement instanceof HTMLElement && host.contains(activeElement) ? activeElement : null;
   redraw();
-  if (!had || had.isConnected) return;
+  if (!had) return;
+  // what stands where it stood, but was taken out meanwhile, has lost it too
+  if (had.isConnected) return document.activeElement === document.body ? had.focus({ preventScroll: true }) : undefined;
   const { action, index } = had.dataset;
   const again = [...host.querySelectorAll('[data-action]')].find(
     (element) => element instanceof HTMLElement && element.dataset.action === action && element.dataset.index === index,

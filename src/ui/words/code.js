@@ -99,6 +99,7 @@ export const CODE = {
   addWatch: 'Watch',
   unwatch: (/** @type {string} */ text) => `Watch ${text} no longer`,
   noRegisters: 'No register has a value yet.',
+  unset: 'none',
   stack: 'Where it is',
   signals: 'Signals',
   input: (/** @type {string} */ name) => `${name}, an input: set it`,

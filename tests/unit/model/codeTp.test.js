@@ -8,6 +8,8 @@ import { codeArm } from '../../../src/model/code/codeArm.js';
 import { positionForCode, systemAtFirst } from '../../../src/model/code/codeFrames.js';
 import { planOfMove } from '../../../src/model/code/codeMoves.js';
 import { createCodeRun } from '../../../src/model/code/codeRun.js';
+import { registersNamed } from '../../../src/model/code/codeSignals.js';
+import { createGivenRegisters } from '../../../src/model/code/givenRegisters.js';
 import { compileRobot } from '../../../src/model/compile.js';
 import { newDocument } from '../../../src/model/newDocument.js';
 import { firstRobot } from '../../../src/model/shelf.js';
@@ -147,6 +149,30 @@ test('registers and signals are set while it stands still, and stay set when it 
   run.advance(anyLine, 1, NOWHERE);
   run.advance(anyLine, 1, NOWHERE);
   expect(run.place()?.line).toBe(at(7));
+});
+
+test('registers that have no value can be given one, which the next run finds', () => {
+  const programs = [tp('a', ['R[1]=R[2:count]+1', '!R[3]', 'PR[4,3]=PR[4,3]+R[1]'])];
+  expect(registersNamed(programs)).toEqual([
+    { bank: 'R', index: 1 },
+    { bank: 'R', index: 2 },
+    { bank: 'PR', index: 4 },
+  ]);
+  const given = createGivenRegisters();
+  const tried = (/** @type {Parameters<CodeRun['setRegister']>[]} */ ...settings) => {
+    const run = runOf(programs);
+    given.giveTo(run);
+    for (let i = 0; i < 20 && !run.outcome(); i++) run.advance(() => false, 100, NOWHERE);
+    for (const setting of settings) {
+      given.note(run, setting);
+      run.setRegister(...setting);
+    }
+    return { reason: run.outcome()?.alarm?.reason, registers: run.registers().map(({ numbers }) => numbers) };
+  };
+  expect(tried(['R', 2, 0, 4]).reason).toBe('R[2] has no value');
+  expect(tried(['PR', 4, 2, 10], ['R', 1, 0, 99]).reason).toContain('PR[4]');
+  // what the program has set is its own
+  expect(tried()).toEqual({ reason: undefined, registers: [[5], [4], [0, 0, 15, 0, 0, 0]] });
 });
 
 test('what is watched is worked out where the program is, and changes nothing', () => {

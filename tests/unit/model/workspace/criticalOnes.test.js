@@ -10,9 +10,9 @@ import { anthropomorphic, planar, scara } from '../../workspace/arms.js';
 
 /** @import { ChainDescription } from '../../../../src/kinematics/chain.js' */
 
-/** @param {ChainDescription} arm */
-function onesOf(arm) {
-  const section = sectionAtOnce(createChain(arm), { cell: 0.02, tolerance: 2e-4, withVolume: false });
+/** @param {ChainDescription} arm @param {{ cell: number, tolerance: number }} [fine]  m */
+function onesOf(arm, fine = { cell: 0.02, tolerance: 2e-4 }) {
+  const section = sectionAtOnce(createChain(arm), { ...fine, withVolume: false });
   if (!section) throw new Error('Expected a section.');
   return { section, ones: criticalOnes(createChain(arm), section) };
 }
@@ -51,7 +51,7 @@ describe('the boundary of', () => {
   test('Puma 560 and UR5: the tool is there, by plain matrices, and the joints said to be at limits are', () => {
     for (const name of ['puma560', 'ur5']) {
       const arm = publishedArm(name);
-      const { section, ones } = onesOf(arm);
+      const { section, ones } = onesOf(arm, { cell: 0.05, tolerance: 1e-3 }); // a posture is exact, however coarse the curve it was found along
       expect(ones.some(({ shape, u }) => shape === 'stretched' && u > 0.5)).toBe(true);
       expect(ones.length).toBeGreaterThan(1);
       for (const { u, v, q, held } of ones) {

@@ -101,7 +101,9 @@ export default [
   },
   {
     files: ANYWHERE,
-    languageOptions: { globals: { ...noBrowserGlobals, URLSearchParams: 'readonly', TextDecoder: 'readonly' } },
+    languageOptions: {
+      globals: { ...noBrowserGlobals, URLSearchParams: 'readonly', TextDecoder: 'readonly', TextEncoder: 'readonly' },
+    },
     rules: { 'no-restricted-syntax': restrict(TIME_AND_CHANCE, UNITS, HTML_FROM_TEXT, EXPORTS, GLOBAL_OBJECT) },
   },
   {

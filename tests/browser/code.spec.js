@@ -1,4 +1,5 @@
 /** Controller code on the page: written, checked while it is typed, run on the arm, stopped, and taken back. */
+import { readFile } from 'node:fs/promises';
 import { expect, test } from '@playwright/test';
 import { expectAccessible } from './accessible.js';
 import { open, settled } from './page.js';
@@ -103,6 +104,17 @@ test('files of code are opened, renamed and removed, and the document keeps them
   await expect(page.locator('#panel-code :focus')).toHaveCount(1);
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect(page.getByRole('textbox', { name: 'Text of part' })).toBeVisible();
+  // a listing that is dropped on the page stands beside it, and is saved as it came
+  await page.evaluate(() => {
+    const dataTransfer = new DataTransfer();
+    dataTransfer.items.add(new File(['/PROG  LF\n/MN\n   1:  R[1]=1 ;\n/POS\n/END\n'], 'lf.ls'));
+    for (const type of ['dragenter', 'dragover', 'drop'])
+      document.body.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
+  });
+  await expect(page.getByRole('textbox', { name: 'Text of lf' })).toContainText('R[1]=1');
+  const download = page.waitForEvent('download');
+  await page.getByRole('button', { name: 'Verify and save' }).click();
+  expect(await readFile(await (await download).path(), 'utf8')).toBe('/PROG  LF\n/MN\n   1:  R[1]=1 ;\n/POS\n/END\n');
 });
 
 test('a TP program shows where its lines lead, waits for an input, and runs on when that is set', async ({ page }) => {

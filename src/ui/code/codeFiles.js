@@ -5,8 +5,7 @@
  * @import { Page } from '../page.js'
  * @import { CodeRoom } from './codeRoom.js'
  * @import { Doc, ProgramDoc } from '../../model/document.js'
- *
- * @typedef {{ name: string, language: ProgramDoc['language'], text: (id: string) => string }} NewProgram
+ * @import { NewProgram } from './openCode.js'
  */
 import { freeCodeId } from '../../model/code/codeCommands.js';
 import { fileName } from '../../model/controller/codeSets.js';
@@ -15,28 +14,7 @@ import { withChoices } from '../parts/choices.js';
 import { h } from '../parts/dom.js';
 import { icon } from '../parts/icons.js';
 import { CODE } from '../words/code.js';
-
-/** By the end of a file's name. @type {Readonly<Record<string, ProgramDoc['language']>>} */
-const LANGUAGE_OF = { kl: 'karel', ls: 'fanuc-tp', src: 'krl', dat: 'krl' };
-const LARGEST = 1_000_000;
-const LONGEST_ID = 56;
-
-/** @param {string} name  of a file, or what a person typed @returns {string} as a program can be called */
-const idFrom = (name) =>
-  name
-    .replace(/\.[^.]*$/, '')
-    .replace(/[^A-Za-z0-9_]+/g, '_')
-    .replace(/^(?=\d|$)/, '_')
-    .slice(0, LONGEST_ID);
-
-/** Programs of controllers are often older than UTF-8. @param {ArrayBuffer} bytes */
-function textOf(bytes) {
-  try {
-    return new TextDecoder('utf-8', { fatal: true }).decode(bytes);
-  } catch {
-    return new TextDecoder('windows-1252').decode(bytes);
-  }
-}
+import { addPrograms, openCode } from './openCode.js';
 
 /**
  * @param {Page} page
@@ -49,20 +27,10 @@ function textOf(bytes) {
 export function createFileMenu(page, { choose, chosen, refuse, rename }) {
   const { store, announce } = page;
 
-  /** In one step, the first of them to be shown. @param {readonly NewProgram[]} added */
-  function add(added) {
-    const { programs } = store.state.doc;
-    const all = [...programs];
-    for (const { name, language, text } of added) {
-      const id = freeCodeId({ programs: all }, name);
-      all.push({ id, language, text: text(id) });
-    }
-    const reason = attempt(page, { type: 'set-code', programs: all });
-    if (reason) return refuse(reason);
-    const ids = all.slice(programs.length).map(({ id }) => id);
-    choose(ids[0]);
-    announce(CODE.added(ids.join(', ')));
-  }
+  /** @param {Awaited<ReturnType<typeof openCode>>} done  the first of them to be shown */
+  const shown = (done) => ('ids' in done ? done.ids[0] && choose(done.ids[0]) : refuse(done.reason));
+  /** @param {readonly NewProgram[]} added */
+  const add = (added) => void shown(addPrograms(page, added));
 
   /** @param {string} name @param {ProgramDoc['language']} language @param {(id: string) => string} text */
   const one = (name, language, text) => () => add([{ name, language, text }]);
@@ -82,17 +50,7 @@ export function createFileMenu(page, { choose, chosen, refuse, rename }) {
   input.addEventListener('change', async () => {
     const files = [...(input.files ?? [])];
     input.value = '';
-    /** @type {NewProgram[]} */
-    const opened = [];
-    for (const file of files) {
-      if (file.size > LARGEST) return refuse(CODE.tooLarge(file.name));
-      const text = textOf(await file.arrayBuffer()).replace(/\r\n?/g, '\n');
-      if (/(?![\t\n])\p{Cc}/u.test(text)) return refuse(CODE.notText(file.name));
-      const end = file.name.toLowerCase().split('.').at(-1) ?? '';
-      const name = `${idFrom(file.name)}${end === 'dat' ? '_dat' : ''}`;
-      opened.push({ name, language: LANGUAGE_OF[end] ?? 'karel', text: () => text });
-    }
-    if (opened.length > 0) add(opened);
+    shown(await openCode(page, files));
   });
 
   const button = h(

@@ -45,6 +45,8 @@ export function createCodePanel(page, host, { version, today }) {
   let room = null;
   /** Of the file that is shown. @type {string | null} */
   let chosen = null;
+  /** The programs that have been here. @type {ReadonlySet<string>} */
+  let known = new Set();
   let isRenaming = false;
   let areOptionsOpen = false;
   let refusal = '';
@@ -272,6 +274,11 @@ export function createCodePanel(page, host, { version, today }) {
     ]),
     ([isOpen]) => {
       if (!isOpen) return;
+      // what was dropped on the page, or what an undo brings back
+      const { programs } = store.state.doc;
+      const fresh = programs.find(({ id }) => !known.has(id));
+      if (fresh && known.size > 0) [chosen, refusal] = [`own ${fresh.id}`, ''];
+      known = new Set(programs.map(({ id }) => id));
       writer.update();
       redraw();
     },

@@ -17,6 +17,7 @@ import { download } from '../parts/download.js';
 import { fixed } from '../parts/format.js';
 import { VERIFY } from '../words/writeCode.js';
 import { createCodeVerifier } from './codeVerifier.js';
+import { savedCode } from './openCode.js';
 import { ownQuestion } from './ownLine.js';
 import { drawVerification } from './verificationView.js';
 
@@ -67,7 +68,7 @@ export function createVerifyPart(page, { writer, ownChosen, redraw, version, tod
 
   /** @param {readonly CodeFile[]} files @param {(names: string) => string} said */
   function save(files, said) {
-    for (const { name, text } of files) download(name, text, 'text/plain', clock);
+    for (const file of files) download(file.name, savedCode(page, file), 'text/plain', clock);
     announce(said(files.map(({ name }) => name).join(', ')));
   }
 

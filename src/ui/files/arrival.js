@@ -17,7 +17,9 @@
  * @typedef {{ name: string, text: string | null, issues: readonly Issue[] }} Arrived  text: null when it was refused already
  */
 import { decodeText } from '../../io/decodeText.js';
+import { fileIssue } from '../../io/fileIssues.js';
 import { readRobotFile } from '../../io/robotFile.js';
+import { openPanel } from '../page.js';
 import { showReport } from './fileReport.js';
 import { h } from '../parts/dom.js';
 import { fixed } from '../parts/format.js';
@@ -56,6 +58,14 @@ export async function receive(page, source, { isWanted, again }) {
     if (isWanted()) followLink(page, hash);
     return;
   }
+  const code = codeOf(source);
+  if (code.length > 0) {
+    const { openCode } = await import('../code/openCode.js');
+    if (!isWanted()) return;
+    const done = await openCode(page, code);
+    if ('ids' in done) return openPanel(page, 'code');
+    return end(page, { name: code[0].name, text: '', doc: null, issues: [fileIssue('not-text', done.reason)], again });
+  }
   const { name, text, issues: earlier } = await arrived(source);
   if (!isWanted()) return;
   if (text !== null && TABLE_NAME.test(name) && !text.trimStart().startsWith('<')) {
@@ -82,6 +92,17 @@ export async function receive(page, source, { isWanted, again }) {
     open?.hide();
     open = chooseChain({ name, readChain: read, onOpen: finish });
   }
+}
+
+const CODE_NAME = /\.(kl|ls|src|dat)$/i;
+const CODE_TEXT = /^\s*(?:\/PROG\s+|PROGRAM\s+|(?:&.*\s+)*DEF\s+)([\w-]+)/i;
+
+/** Controller code: files by their names, a text by its first word. @param {Source} source @returns {readonly File[]} */
+function codeOf({ files, isFolder, text = '' }) {
+  if (!isFolder && files.length > 0 && files.every(({ name }) => CODE_NAME.test(name))) return files;
+  const [first = '', name] = CODE_TEXT.exec(text) ?? [];
+  const end = first.includes('/') ? 'ls' : /PROGRAM/i.test(first) ? 'kl' : 'src';
+  return name === undefined ? [] : [new File([text], `${name}.${end}`)];
 }
 
 /**

@@ -88,7 +88,8 @@ export function watchDropAndPaste(page, files) {
       if (!looksLikeRobotFile(text)) return;
       import('./offerPasted.js').then(({ offerPasted }) => offerPasted(page, files, text), messages.fault);
     } else if (data.files.length > 0) void files.take({ files: [...data.files], way: 'pasted' });
-    else if (/^\s*<|#model=/.test(text)) void files.take({ files: [], text, way: 'pasted' });
+    else if (/^\s*(?:<|\/PROG\s|PROGRAM\s|&ACCESS\s|DEF\s)|#model=/i.test(text))
+      void files.take({ files: [], text, way: 'pasted' });
     else return;
     event.preventDefault();
   });

@@ -19,7 +19,7 @@
  */
 import { finished, inPieces } from '../slices.js';
 import { DIRECTIVES } from './constants.js';
-import { declareAll, NOWHERE } from './declarations.js';
+import { declareAll, MOST_VALUES, NOWHERE, roomFor } from './declarations.js';
 import { includeFiles } from './includes.js';
 import { checkLabels } from './labels.js';
 import { checkBody } from './statements.js';
@@ -41,6 +41,7 @@ export function* analyseInSlices(tree, files, hasGaps = false) {
     globals: new Map(),
     types: new Map(),
     globalSlots: 0,
+    room: roomFor(MOST_VALUES),
     hasGaps: hasGaps || inclusion.gaps > 0 || tree.kind === 'fragment',
     report: (code, message, span = NOWHERE, severity = 'error') =>
       void diagnostics.push({ severity, code, message, span }),

@@ -3,7 +3,7 @@
  *
  * A line is a name, parameters, and behind > what a function gives. A parameter is `name:type`, with * before it where the
  * variable is set, and ? where it may be left out. Types: I integer, R real, N either, S string, B boolean, P any position,
- * J joint values, K a Cartesian position, V vector, C config, A array, H path, F file, X anything.
+ * J joint values, K a Cartesian position, V vector, C config, A array, L one of REAL, H path, F file, X anything.
  *
  * From the public record of the language; where the sources disagree, the entry says so. ATAN2 takes (x, y) here, by
  * evidence of programs that were run; a list of built-ins says (y, x).
@@ -32,16 +32,16 @@ ORIENT position:P > V
 NORMAL position:P > V
 CURPOS limits:I speeds:I ?group:I > XYZWPREXT
 CURJPOS limits:I speeds:I ?group:I > JOINTPOS
-CNV_JPOS_REL joints:J *values:A *status:I
-CNV_REL_JPOS values:A *joints:J *status:I
+CNV_JPOS_REL joints:J *values:L *status:I
+CNV_REL_JPOS values:L *joints:J *status:I
 CNV_CONF_STR config:C *text:S
 CNV_STR_CONF text:S *config:C *status:I
 IN_RANGE position:P ?group:I > B
 J_IN_RANGE joints:J ?group:I > B
 CHECK_EPOS position:P user_frame:P tool:P *status:I ?group:I
-JOINT2POS joints:J user_frame:P tool:P reference:X *position:K *config:X *ext:A *status:I
-POS2JOINT reference:P position:P user_frame:P tool:P config_ref:X config:X ext:A *joints:J *status:I
-SET_PERCH joints:J tolerances:A *status:I
+JOINT2POS joints:J user_frame:P tool:P reference:X *position:K *config:X *ext:L *status:I
+POS2JOINT reference:P position:P user_frame:P tool:P config_ref:X config:X ext:L *joints:J *status:I
+SET_PERCH joints:J tolerances:L *status:I
 GET_REG number:I *is_real:B *integer:I *real:R *status:I
 SET_INT_REG number:I value:I *status:I
 SET_REAL_REG number:I value:R *status:I
@@ -187,5 +187,14 @@ export const WORDS = {
     V: 'VECTOR',
     C: 'CONFIG',
   },
-  ...{ J: 'JOINTPOS', K: 'a Cartesian position', A: 'ARRAY', H: 'PATH', F: 'FILE', X: 'anything', '=': 'the same' },
+  ...{
+    J: 'JOINTPOS',
+    K: 'a Cartesian position',
+    A: 'ARRAY',
+    L: 'ARRAY OF REAL',
+    H: 'PATH',
+    F: 'FILE',
+    X: 'anything',
+    '=': 'the same',
+  },
 };

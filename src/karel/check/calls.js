@@ -130,6 +130,7 @@ const GIVEN = {
 function isOfType(type, letter, isSet) {
   if (types.isUnknown(type) || letter === 'X') return true;
   if (letter === 'P') return types.isPosition(type);
+  if (letter === 'L') return type.kind === 'ARRAY' && types.flattened(type).of.kind === 'REAL';
   if (letter === 'K') return types.isPosition(type) && type.kind !== 'JOINTPOS';
   if (letter === 'R' && isSet) return type.kind === 'REAL';
   if (letter === 'N' || letter === 'R') return types.isNumber(type);

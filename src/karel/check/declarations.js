@@ -35,11 +35,13 @@
  *
  * @typedef {VariableSymbol | ConstantSymbol | RoutineSymbol} Symbol
  *
+ * @typedef {{ most: number, left: number }} Room
  * @typedef {object} Scope
  * @property {string} program
  * @property {Map<string, Symbol>} globals
  * @property {Map<string, Type>} types
  * @property {number} globalSlots
+ * @property {Room} room             for values of its variables
  * @property {(code: string, message: string, span: Span | undefined, severity?: Diagnostic['severity']) => void} report
  * @property {boolean} hasGaps       files are missing
  */
@@ -49,8 +51,9 @@ import * as types from './types.js';
 /** Names up to so many characters are safe on every controller; longer ones are met, and taken. */
 const LONGEST_NAME = 12;
 /** More than a controller has room for, and less than would freeze a page. */
-const MOST_VALUES = 1_000_000;
+export const MOST_VALUES = 1_000_000;
 const MOST_OWN_VALUES = 20_000;
+export const roomFor = (/** @type {number} */ most) => ({ most, left: most });
 const HALF_RANGE = 2 ** 31;
 export const NOWHERE = { start: 0, end: 0, line: 1, column: 1 };
 
@@ -65,6 +68,7 @@ export function declareAll(declarations, scope) {
       eachEntry(declaration.entries, (entry) =>
         declareVariables(/** @type {Declared} */ (entry), scope, scope.globals, {
           isGlobal: true,
+          room: scope.room,
           next: () => scope.globalSlots++,
         }),
       );
@@ -218,24 +222,22 @@ function sizeOf(size, scope) {
   return typeof folded?.value === 'number' ? folded.value : null;
 }
 
-/** @param {Declared} declared @param {Scope} scope @param {Map<string, Symbol>} names @param {{ isGlobal?: boolean, isParameter?: boolean, next: () => number }} how */
+/** @param {Declared} declared @param {Scope} scope @param {Map<string, Symbol>} names @param {{ isGlobal?: boolean, isParameter?: boolean, room: Room, next: () => number }} how */
 export function declareVariables(
   { names: list, type, from, span, nameSpans },
   scope,
   names,
-  { isGlobal = false, isParameter = false, next },
+  { isGlobal = false, isParameter = false, room, next },
 ) {
   const resolved = resolveType(type, scope);
   const count = isParameter ? 0 : types.countOf(resolved) * list.length;
-  const [most, where] = isGlobal ? [MOST_VALUES, 'of a program'] : [MOST_OWN_VALUES, "of a routine's own"];
-  if (!(count <= most))
-    scope.report(
-      'too-large',
-      count === Infinity
-        ? `Expected a type that does not hold itself, got ${types.typeText(resolved)}.`
-        : `Expected variables ${where} that hold at most ${most} values, got ${count}.`,
-      span,
-    );
+  const isRoom = count <= room.left;
+  if (isRoom) room.left -= count;
+  else {
+    const expected =
+      count === Infinity ? 'a type that does not hold itself' : `variables of at most ${room.most} values together`;
+    scope.report('too-large', `Expected ${expected}, got ${types.typeText(resolved)}.`, span);
+  }
   return list.map((name, i) => {
     const place = nameSpans?.[i] ?? span ?? NOWHERE;
     checkNew(name, scope, names, place);
@@ -243,7 +245,7 @@ export function declareVariables(
     const symbol = {
       kind: 'variable',
       name,
-      type: resolved,
+      type: isRoom ? resolved : types.UNKNOWN,
       isGlobal,
       isParameter,
       slot: next(),
@@ -269,11 +271,12 @@ function declareRoutine(node, scope) {
       ? before
       : { kind: 'routine', name: node.name, parameters: [], returns: types.NOTHING, locals: new Map(), slots: 0 };
   const repeats = before?.kind === 'routine' && node.body && node.parameters.length === 0 && !node.returns;
+  const room = roomFor(MOST_OWN_VALUES);
   if (!repeats) {
     routine.locals = new Map();
     routine.slots = 0;
     routine.parameters = node.parameters.flatMap((one) =>
-      declareVariables(one, scope, routine.locals, { isParameter: true, next: () => routine.slots++ }),
+      declareVariables(one, scope, routine.locals, { isParameter: true, room, next: () => routine.slots++ }),
     );
     routine.returns = node.returns ? resolveType(node.returns, scope) : types.NOTHING;
   }
@@ -286,7 +289,10 @@ function declareRoutine(node, scope) {
         eachEntry(own.entries, (entry) => declareConstant(/** @type {Constant} */ (entry), scope, routine.locals));
       if (own.kind === 'variables')
         eachEntry(own.entries, (entry) =>
-          declareVariables(/** @type {Declared} */ (entry), scope, routine.locals, { next: () => routine.slots++ }),
+          declareVariables(/** @type {Declared} */ (entry), scope, routine.locals, {
+            room,
+            next: () => routine.slots++,
+          }),
         );
     }
   }

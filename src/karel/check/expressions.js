@@ -87,13 +87,14 @@ function typeOfIndex(node, context) {
   const indexTypes = indices.map((index) => typeOfExpression(index, context));
   const upper = target.kind === 'name' ? target.name.toUpperCase() : '';
   const isDeclared = context.locals.has(upper) || context.scope.globals.has(upper);
-  if (!isDeclared && BOOLEAN_PORTS.has(upper)) return types.BOOLEAN;
-  if (!isDeclared && INTEGER_PORTS.has(upper)) return types.INTEGER;
-  const type = typeOfExpression(target, context);
   for (const [i, index] of indexTypes.entries()) {
     if (!types.isWhole(index) && !types.isUnknown(index))
       report('index-type', `Expected a whole number as index, got ${types.typeText(index)}.`, indices[i].span);
   }
+  const isPort = !isDeclared && (BOOLEAN_PORTS.has(upper) || INTEGER_PORTS.has(upper));
+  if (isPort && indices.length > 1) report('indices', `Expected 1 index of ${upper}, got ${indices.length}.`, span);
+  if (isPort) return BOOLEAN_PORTS.has(upper) ? types.BOOLEAN : types.INTEGER;
+  const type = typeOfExpression(target, context);
   if (types.isUnknown(type)) return systemType(node);
   if (type.kind === 'PATH') return type.node ?? types.UNKNOWN;
   if (type.kind !== 'ARRAY') {

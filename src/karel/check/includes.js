@@ -7,19 +7,20 @@
  * @import { Files } from '../parser.js'
  *
  * @typedef {'constants' | 'types' | 'variables' | 'fields' | 'declarations' | 'statements'} Place
- * @typedef {{ files: Files, diagnostics: Diagnostic[], gaps: number, depth: number }} Inclusion
+ * @typedef {{ files: Files, diagnostics: Diagnostic[], gaps: number, depth: number, count: number }} Inclusion
  * @typedef {object} Part
  */
 import { parseIncluded } from '../parser.js';
 import { fileNamed } from '../preprocess/files.js';
 
 const MAX_DEPTH = 16;
+const MAX_FILES = 500;
 const NOWHERE = { start: 0, end: 0, line: 1, column: 1 };
 
 /** @param {Program | Fragment} tree @param {Files} files */
 export function includeFiles(tree, files) {
   /** @type {Inclusion} */
-  const inclusion = { files, diagnostics: [], gaps: 0, depth: 0 };
+  const inclusion = { files, diagnostics: [], gaps: 0, depth: 0, count: 0 };
   const whole =
     tree.kind === 'fragment'
       ? { ...tree, parts: parts(tree.parts, 'declarations', inclusion) }
@@ -54,6 +55,9 @@ function included({ path, span = NOWHERE }, place, inclusion) {
   };
   if (text === undefined)
     return warn(`Expected the file "${path}" to include, but it is not at hand; names that it declares are not known.`);
+  if (inclusion.count > MAX_FILES) return [];
+  if (++inclusion.count > MAX_FILES)
+    return warn(`Expected at most ${MAX_FILES} files; "${path}" and all further ones are left out.`);
   if (inclusion.depth >= MAX_DEPTH)
     return warn(`Expected at most ${MAX_DEPTH} files inside each other; "${path}" is left out.`);
   const { tree, diagnostics } = parseIncluded(text, place, { files: inclusion.files });

@@ -83,18 +83,18 @@ export function typeText(type) {
   return (type.kind === 'STRUCTURE' || type.kind === 'OPAQUE') && type.name ? type.name : type.kind;
 }
 
-/** How many values a variable holds; of a path, its header and a node. Infinity: it holds itself. @param {Type} type @param {readonly Type[]} [around] @returns {number} */
-export function countOf(type, around = []) {
-  if (around.includes(type)) return Infinity;
-  const inner = [...around, type];
-  if (type.kind === 'ARRAY')
-    return (type.sizes ?? []).reduce((product, size) => product * size, 1) * countOf(type.of ?? UNKNOWN, inner);
-  const parts =
-    type.kind === 'STRUCTURE' ? [...(type.fields?.values() ?? [])] : [type.node, type.header].filter((one) => !!one);
-  return Math.max(
-    1,
-    parts.reduce((sum, part) => sum + countOf(part, inner), 0),
-  );
+/** How many values a variable holds; of a path, its header and a node. Infinity: it holds itself. @param {Type} type @param {Map<Type, number>} [known] @returns {number} */
+export function countOf(type, known = new Map()) {
+  const before = known.get(type);
+  if (before !== undefined) return before;
+  known.set(type, Infinity); // until it is counted: whoever comes back to it holds itself
+  const { kind, sizes = [], of = UNKNOWN, fields, node, header } = type;
+  const parts = kind === 'STRUCTURE' ? [...(fields?.values() ?? [])] : [node, header];
+  const sum = parts.reduce((total, part) => total + (part ? countOf(part, known) : 0), 0);
+  const count =
+    kind === 'ARRAY' ? sizes.reduce((product, size) => product * size, 1) * countOf(of, known) : Math.max(1, sum);
+  known.set(type, count);
+  return count;
 }
 
 const VECTOR_FIELDS = Object.fromEntries(['X', 'Y', 'Z'].map((name) => [name, REAL]));

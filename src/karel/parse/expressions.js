@@ -13,6 +13,7 @@ const PRODUCTS = new Set(['*', '/', 'AND', 'DIV', 'MOD']);
 const POSITIONS = new Set([':', '@', '#']);
 /** More than any program has, and fewer than would be too deep a tree. */
 const MAX_OPERATORS = 1000;
+const MAX_SUFFIXES = 50;
 
 const LOGIC = new Set(['AND', 'OR']);
 
@@ -100,6 +101,7 @@ export function readReference(cursor) {
   if (cursor.peek().type === 'system') return readDesignator(cursor);
   const from = cursor.position();
   if (cursor.isSign('(', 1) && !cursor.peek(1).fresh) {
+    if (isReserved(cursor.peek().upper)) cursor.fail('a statement or a value');
     const { text } = cursor.advance();
     const call = cursor.node(from, { kind: /** @type {const} */ ('call'), name: text, ...readCallArguments(cursor) });
     return readSuffixes(cursor, from, call);
@@ -123,7 +125,9 @@ function readCallArguments(cursor) {
     count++;
     return arg;
   };
-  const args = cursor.bracketed('(', () => (cursor.isSign(')') ? [] : readList(cursor, readOne)), ')');
+  if (cursor.isSign(')', 1))
+    cursor.fail('arguments; a routine without any is called by its name alone', cursor.peek(1));
+  const args = cursor.bracketed('(', () => readList(cursor, readOne), ')');
   return { args, ...(byValue.length > 0 && { byValue }) };
 }
 
@@ -159,7 +163,8 @@ export function readDesignator(cursor) {
 function readSuffixes(cursor, from, start) {
   /** @type {T | Designator} */
   let target = start;
-  while (cursor.continues()) {
+  for (let count = 0; cursor.continues(); count++) {
+    if (count > MAX_SUFFIXES) cursor.fail(`at most ${MAX_SUFFIXES} indices and fields in a row`);
     if (cursor.isSign('[')) {
       if (isRange(cursor)) return target;
       const indices = cursor.bracketed('[', () => readList(cursor, () => readExpression(cursor)), ']');
@@ -171,7 +176,7 @@ function readSuffixes(cursor, from, start) {
       cursor.advance();
       const system = token.type === 'system' && /** @type {{ system: true }} */ ({ system: true });
       target = cursor.node(from, { kind: 'field', target, name: token.text, ...system });
-    } else return target;
+    } else break;
   }
   return target;
 }

@@ -36,6 +36,8 @@ const REFERENCE = /#[1-9]/;
 /** Deeper, and longer, than any text that anybody wants. */
 const MAX_DEPTH = 200;
 const MAX_LENGTH = 400_000;
+/** A file counts for so many characters more, so that files without any come to an end, too. */
+const FILE_LENGTH = 100;
 /** @type {Context} */
 const OUTSIDE = { args: null, names: null, hidden: new Set() };
 
@@ -66,6 +68,7 @@ export const isActive = ({ branches }) => branches.length === 0 || branches[bran
 
 /** A file in place of its name, with the macros of the run. @param {Marked} marked @param {Expansion} run @param {Writer} out */
 export function expandFile(marked, run, out) {
+  run.length += FILE_LENGTH;
   run.modes.push(run.modes[run.modes.length - 1]);
   expandInto(marked, OUTSIDE, run, out);
   if (run.modes.length > 1) run.modes.pop();
@@ -155,6 +158,7 @@ function expandName(name, marked, at, context, run, out, put) {
     put(at, end);
     return end;
   }
+  run.length++;
   if (macro.body.text === '') return call?.end ?? end;
   const args = call?.args.map((arg) => expanded(slice(marked, arg.from, arg.to), context, run)) ?? [];
   const hidden = new Set([...context.hidden, name]);

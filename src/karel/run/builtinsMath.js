@@ -28,7 +28,7 @@ export const put = (/** @type {unknown} */ reference, /** @type {Value} */ value
 };
 export const held = (/** @type {unknown} */ reference) => {
   const { holder, key } = /** @type {Reference} */ (reference);
-  return holder[key];
+  return holder ? holder[key] : reference; // a value where a variable was expected
 };
 
 const isUnit = (/** @type {number} */ x) => Math.abs(x) <= 1;
@@ -117,16 +117,18 @@ export const MATHEMATICS = {
 
   PATH_LEN: ([path]) => nodesOf(path).length,
   APPEND_NODE: ([path, status]) => {
-    const nodes = nodesOf(path);
-    if (nodes.length < MOST_NODES) nodes.push(copied(record(held(path)).blank));
-    put(status, nodes.length < MOST_NODES ? 0 : NO_ROOM);
+    const { nodes, blank, most } = record(held(path));
+    const isRoom = list(nodes).length < number(most);
+    if (isRoom) list(nodes).push(copied(blank));
+    put(status, isRoom ? 0 : NO_ROOM);
   },
   INSERT_NODE: ([path, index, status]) =>
     changeNodes(
       path,
       index,
       status,
-      (nodes, at) => nodes.length < MOST_NODES && nodes.splice(at, 0, copied(record(held(path)).blank)),
+      (nodes, at) =>
+        nodes.length < number(record(held(path)).most) && nodes.splice(at, 0, copied(record(held(path)).blank)),
     ),
   DELETE_NODE: ([path, index, status]) => changeNodes(path, index, status, (nodes, at) => nodes.splice(at, 1)),
   COPY_PATH: ([from, first, last, to, status]) => {
@@ -137,8 +139,7 @@ export const MATHEMATICS = {
   },
 };
 
-/** More than a controller has room for; what its status is then is not known. */
-const MOST_NODES = 20_000;
+/** Not zero; that of a controller is not known. */
 const NO_ROOM = 1;
 
 const MONTHS = 'JANFEBMARAPRMAYJUNJULAUGSEPOCTNOVDEC';

@@ -77,6 +77,8 @@ export function compileClauses(clauses, cancels, compiler, compileBody, isOfMove
   return image.handlers.push({ conditions, actions: [...actions, ...cancels.map(() => CANCELS)], lines }) - 1;
 }
 
+const MOST_HANDLERS = 1000;
+
 /** @param {Extract<Statement, { kind: 'condition' }>} statement @param {Compiler} compiler @param {CompileBody} compileBody */
 export function compileHandler({ number: node, clauses }, compiler, compileBody) {
   const handler = compileClauses(clauses, [], compiler, compileBody);
@@ -84,6 +86,8 @@ export function compileHandler({ number: node, clauses }, compiler, compileBody)
   emitPlain(compiler, (machine, frame) => {
     const { state } = machine;
     const wanted = number(index(machine, frame));
+    if (wanted < 1 || wanted > MOST_HANDLERS)
+      throw new Alarm(`CONDITION[${wanted}] is not from 1 to ${MOST_HANDLERS}`, 'condition');
     if (handlerOf(state, wanted)) throw new Alarm(`CONDITION[${wanted}] is defined already`, 'condition');
     state.handlers.push({
       number: wanted,

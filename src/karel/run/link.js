@@ -73,7 +73,7 @@ function* addProgram(tree, linker) {
     }
     yield* inPieces(body, (piece) => compileBody(piece, compiler));
     const needsValue = compiler.routine && compiler.routine.returns.kind !== 'NOTHING';
-    compiler.line = 0;
+    compiler.line = body.at(-1)?.span?.line ?? compiler.routine?.node?.span?.line ?? 0;
     compiler.emit(needsValue ? missingReturn : returnNothing);
     code.slots = Math.max(code.slots, compiler.slots());
   }

@@ -9,7 +9,7 @@
  */
 import { isNumber, isPosition, isWhole } from '../check/types.js';
 import { asPosition, composed, cross, dot, poseOf, transformed } from './positions.js';
-import { Alarm, list, number, numbers, single, text, truth, whole } from './values.js';
+import { Alarm, clipped, list, number, numbers, single, text, truth, whole } from './values.js';
 
 /** How near positions are that >=< calls the same, mm and degrees. The controller has system variables for it: not verified. */
 const NEAR = 1;
@@ -85,7 +85,7 @@ function ofTruths(operator, left, right) {
 
 /** @param {BinaryOperator} operator @param {Evaluate} left @param {Evaluate} right @returns {Evaluate} */
 function ofTexts(operator, left, right) {
-  if (operator === '+') return (m, f) => text(left(m, f)) + text(right(m, f));
+  if (operator === '+') return (m, f) => clipped(text(left(m, f)) + text(right(m, f)));
   return (m, f) => compared(operator, text(left(m, f)), text(right(m, f)));
 }
 

@@ -13,7 +13,7 @@ import { HALT, OVER, pushFrame, SCAN, SWITCH } from './machine.js';
 import { compileMotionControl, compileMove } from './motion.js';
 import { scanHandlers } from './occurrences.js';
 import { linkedProgram } from './programs.js';
-import { compileDelay, compilePend, compilePulse } from './time.js';
+import { compileDelay, compilePend, compilePulse, compileTimer } from './time.js';
 import { compileFileStatement, compileTransfer } from './transfer.js';
 import { Alarm, copied, number, single, text, truth } from './values.js';
 
@@ -129,16 +129,8 @@ function compileStatement(statement, compiler) {
         return SWITCH;
       });
     }
-    case 'timer': {
-      const at = compileReference(statement.variable, compiler);
-      const isConnect = statement.action === 'CONNECT';
-      return emitPlain(compiler, (machine, frame) => {
-        const { state } = machine;
-        const { holder, key } = at(machine, frame);
-        state.timers = state.timers.filter((timer) => timer.holder !== holder || timer.key !== key);
-        if (isConnect) state.timers.push({ holder, key, since: state.time, from: number(holder[key] ?? 0) });
-      });
-    }
+    case 'timer':
+      return compileTimer(statement, compiler);
     case 'motion-control':
       return compileMotionControl(statement, compiler);
     case 'hand': {

@@ -1,5 +1,5 @@
 /**
- * DELAY, PULSE, and waiting for a semaphore.
+ * DELAY, PULSE, timers, and waiting for a semaphore.
  *
  * @import { Expression, Statement } from '../tree.js'
  * @import { Compiler } from './compiler.js'
@@ -9,7 +9,7 @@ import { emitPlain } from './emit.js';
 import { compileExpression, compileReference } from './expressions.js';
 import { isDesignator } from '../check/context.js';
 import { HALT, SCAN } from './machine.js';
-import { number } from './values.js';
+import { Alarm, number } from './values.js';
 
 /** @param {Evaluate} milliseconds @param {Compiler} compiler */
 export function compileDelay(milliseconds, compiler) {
@@ -34,15 +34,18 @@ export function compilePulse({ port, milliseconds, nowait }, compiler) {
   const at = compileReference(port, compiler);
   emitPlain(compiler, (machine, frame) => {
     const { holder, key } = at(machine, frame);
+    const { ports, pulses, time: now } = machine.state;
+    const until = now + number(time(machine, frame));
+    const port = Object.keys(ports).find((name) => ports[name] === holder) ?? '';
+    const index = Number(key);
+    const under = pulses.find((one) => one.port === port && one.index === index);
+    if (under) {
+      under.at = until; // one goes on
+      return;
+    }
     const value = holder[key] === true;
     holder[key] = !value;
-    machine.state.pulses.push({
-      kind: 'pulse',
-      port: Object.keys(machine.state.ports).find((name) => machine.state.ports[name] === holder) ?? '',
-      index: Number(key),
-      value,
-      at: machine.state.time + number(time(machine, frame)),
-    });
+    pulses.push({ kind: 'pulse', port, index, value, at: until });
   });
   if (!nowait) compileDelay(time, compiler);
 }
@@ -72,5 +75,21 @@ export function compilePend([index, most, isLate], compiler) {
       holder[key] = !isFree;
     }
     return at + 1;
+  });
+}
+
+/** More than a controller has. */
+const MOST_TIMERS = 1000;
+
+/** @param {Extract<Statement, { kind: 'timer' }>} statement @param {Compiler} compiler */
+export function compileTimer({ variable, action }, compiler) {
+  const at = compileReference(variable, compiler);
+  emitPlain(compiler, (machine, frame) => {
+    const { state } = machine;
+    const { holder, key } = at(machine, frame);
+    state.timers = state.timers.filter((timer) => timer.holder !== holder || timer.key !== key);
+    if (action === 'DISCONNECT') return;
+    if (state.timers.length >= MOST_TIMERS) throw new Alarm(`more than ${MOST_TIMERS} timers run`, 'timer');
+    state.timers.push({ holder, key, since: state.time, from: number(holder[key] ?? 0) });
   });
 }

@@ -9,6 +9,7 @@
  * @typedef {{ code: string, reason: string, line: number, routine: string }} AlarmText
  * @typedef {{ holder: Record<string | number, Value>, key: string | number, most?: number }} Reference  most: characters of a string
  */
+import { countOf } from '../check/types.js';
 import { MAX_STRING_LENGTH } from '../words.js';
 
 /** What stops a program: a reason, told with its line. */
@@ -70,6 +71,10 @@ export function copied(value) {
   return Object.fromEntries(Object.entries(value).map(([key, inner]) => [key, copied(inner)]));
 }
 
+/** More than a controller has room for. */
+const MOST_NODES = 20_000;
+const MOST_VALUES = 1_000_000;
+
 /** What a variable holds before anything is put into it. @param {Type} type @returns {Value} */
 export function unsetValue(type) {
   if (type.kind === 'ARRAY') return unsetArray(type.sizes ?? [], type.of);
@@ -80,6 +85,7 @@ export function unsetValue(type) {
       header: type.header ? unsetValue(type.header) : {},
       nodes: [],
       blank: type.node ? unsetValue(type.node) : undefined,
+      most: Math.min(MOST_NODES, Math.floor(MOST_VALUES / countOf(type.node ?? type))),
     };
   if (type.kind === 'FILE') return {};
   return undefined;

@@ -149,6 +149,7 @@ test('a TP program shows where its lines lead, waits for an input, and runs on w
   await expectAccessible(page, { within: '#panel-code' });
 
   await page.getByRole('button', { name: 'Step back' }).click();
+  await expect(page.locator('.code-next-line')).toContainText('L PR[1:here]');
   await page.getByLabel('PR[2] Z').fill('100');
   await page.getByRole('button', { name: 'Variables' }).click();
   await page.getByLabel('Watch an expression').fill('PR[2,3]-PR[1,3]>100');

@@ -28,6 +28,8 @@ test('a program is written as TP, verified and saved; what is altered is noticed
   await page.getByLabel('Language of the code').selectOption('tp');
   await expect(text).toContainText('Check none: not verified yet');
   await page.getByRole('button', { name: 'Options' }).click();
+  const lines = text.locator('.code-line');
+  await expect(lines.last()).toHaveAttribute('data-line', String(await lines.count()));
   const name = page.getByLabel('Program name');
   await name.fill('begin');
   await name.press('Enter');

@@ -178,7 +178,9 @@ export function createCodeRoom(page, host, openProgram) {
     if (wasRunning && !isRunning && place && open && place.id !== open.id && place.id !== '') openProgram(place.id);
     wasRunning = isRunning;
     const here = place && control.stack().findLast(({ id }) => id === open?.id);
-    editor.showNext(here && (!isRunning || control.isHolding()) ? here.line : null);
+    const isHere = control.stack().at(-1)?.id === open?.id;
+    const stopped = isHere ? control.alarmLine() : null;
+    editor.showNext(here && (!isRunning || control.isHolding()) ? here.line : stopped);
     if (open) runView.draw(store.state.doc.programs, open);
     limits.textContent = open?.language === 'krl' ? CODE.limitsKrl : CODE.limits;
     if (control.mode() === 'asks') runView.focusAnswer();

@@ -201,6 +201,8 @@ export function createRunControl({ store, clock, announce, messages }, { onChang
     said: () => said,
     /** The statement that is next. */
     place: () => (mode === 'over' || mode === 'idle' ? null : (run?.place() ?? null)),
+    /** The line of the alarm that ended it. */
+    alarmLine: () => (mode === 'over' && run?.outcome()?.alarm?.line) || null,
     /** From the outermost to where it is; while the arm moves, to where that was asked for. */
     stack: () => (mode === 'running' && asked && motions.isMoving() ? asked.stack : (run?.stack() ?? [])),
     /** Whether a statement takes its time: the arm moves by it, or it waits. */

@@ -73,7 +73,7 @@ export function createRunView(host, control) {
     drawnStack = key;
     fill(
       stack,
-      frames.map(({ routine, line }) => h('span', {}, `${routine} ${line}`)),
+      frames.map(({ routine, line }) => h('span', {}, line > 0 ? `${routine} ${line}` : routine)),
     );
   }
 

@@ -27,10 +27,10 @@ export function createWrittenListing({ clock, messages }, { name, text }) {
       const piece = h(
         'span',
         { class: 'code-piece' },
-        // each line an element of its own, so that the stylesheet can number them
-        lines.slice(first, first + PIECE).map((line) => h('span', { class: 'code-line' }, `${line}\n`)),
+        lines
+          .slice(first, first + PIECE)
+          .map((line, i) => h('span', { class: 'code-line', 'data-line': first + i + 1 }, `${line}\n`)),
       );
-      piece.style.counterReset = `line ${first}`;
       element.append(piece);
       yield first / lines.length;
     }

@@ -57,6 +57,8 @@ test('the section of a planar arm has the area of its closed form, is read by ke
   await expect(drawing).toHaveAccessibleName(
     /The section’s area is 12\.56635 ± 0\.00003 m², without holes\. It extends over x from −2000\.00 mm to 2000\.00 mm/,
   );
+  // the panel scrolls, and never the page with it
+  expect(await page.evaluate(() => document.documentElement.scrollHeight - innerHeight)).toBe(0);
   await drawing.focus();
   await page.keyboard.press('ArrowRight');
   await expect(body.locator('.section-reading')).toHaveText(/reached$/);

@@ -13,6 +13,7 @@
  * @property {boolean} isAnyAngle
  * @property {{ origin: SectionMap['origin'], u: SectionMap['u'], v: SectionMap['v'] }} frame
  * @property {Cells} cells
+ * @property {number} beside  m: how far from the plane a place may be that counts as in it
  */
 import { cross } from '../kinematics/lines.js';
 import { createSampler } from './sampler.js';
@@ -49,6 +50,7 @@ export function* firstSections(chain, options = {}) {
       kind,
       isAnyAngle: kind === 'meridian' && isAnyAngle,
       frame: { origin, u, v },
+      beside: 0,
       cells: cellsAround(placesIn(map, chain, withLimits, seed, postures), across),
     };
   }
@@ -107,7 +109,8 @@ function passingBy(chain, { origin, u, v }, withLimits, seed) {
     }
   }
   const frame = { origin, u, v };
-  return { kind: 'plane', isAnyAngle: false, frame, cells: cellsAround(Float64Array.from(near), across) };
+  const cells = cellsAround(Float64Array.from(near), across);
+  return { kind: 'plane', isAnyAngle: false, frame, beside: thick / 2, cells };
 }
 
 /** @param {Float64Array} places @param {number} across @returns {Cells} */

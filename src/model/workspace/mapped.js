@@ -67,8 +67,8 @@
  *
  * @typedef {MapState & { cubes: Cubes | null, surface: CubeSurface | null, summary: CubeSummary | null, hasValues: boolean, places: readonly Float32Array[], placesKey: string | null }} VolumeMap
  *   `summary` is null where nothing is reached; `hasValues`: what the cubes are coloured by is known, not only which are reached
- * @typedef {MapState & { first: SectionPlane | null, section: TracedSection | null, hasNone: boolean }} SectionMap
- *   `first`: until there is a section; `hasNone`: the arm has no such section, or none that can be told
+ * @typedef {MapState & { first: (SectionPlane & { beside: number }) | null, section: TracedSection | null, hasNone: boolean }} SectionMap
+ *   `first`: until there is a section, with how far from the plane what is drawn of it may be, m; `hasNone`: the arm has no such section, or none that can be told
  *
  * @typedef {{ readonly volume: VolumeMap | null, readonly section: SectionMap | null }} WorkspaceMaps
  */

@@ -31,8 +31,9 @@ export const SECTION = {
   finer: (/** @type {string} */ cell) => `${cell} cells`,
   precise: 'Trace the boundary to 0.05 mm',
   none: 'There is no answer for this plane yet: no joint of this arm brings its places into it, or the arm has more joints than can be solved in closed form. The arm’s own section may be known.',
-  onlyFirst:
-    'Only this picture is known of it so far: cells in which one of the sampled postures lands. No joint of this arm brings all its places into this plane (a slide may be too short for some postures), so nothing is traced or measured here.',
+  onlyFirst: (/** @type {string} */ cell, /** @type {string} */ beside) =>
+    `Only this picture is known of it so far: cells of ${cell} in which a sampled posture lands${beside && `, or up to ${beside} beside the plane`}. What is left out may be reached, too. No joint of this arm brings all its places into this plane (a slide may be too short for some postures), so nothing is traced or measured here.`,
+  noneSeen: 'None of the sampled postures lands in this plane: it seems to be out of reach, which is no proof.',
   noneOwn: 'There is no answer for this arm yet. A plane may be known: choose one.',
   empty: 'Nothing of the plane is reached.',
   axes: {
@@ -73,7 +74,7 @@ export const SECTION = {
   proven:
     'Proven: on which side of each line the arm reaches is known from closed-form inverse kinematics, up to rounding.',
   estimated:
-    'An estimate: this arm has joints to spare, so it is known from postures that were found on which side of each line it reaches. A part that is hardly ever hit may be missing; the area is counted in cells, with those at the edge as its error.',
+    'An estimate: this arm has joints to spare, so it is known from postures that were found on which side of each line it reaches. A part that is hardly ever hit may be missing, which the error of the area does not count.',
   gap: (/** @type {string} */ length) => `The longest stretch of boundary that was not found: ${length}.`,
   noVolume: 'Not known for this arm',
   inWords: {

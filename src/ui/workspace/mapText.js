@@ -1,6 +1,7 @@
 /**
  * A map in words, for those who listen and those who read.
  *
+ * @import { Units } from '../../model/document.js'
  * @import { AppState } from '../../model/session.js'
  * @import { NotMapped, SectionMap, VolumeMap } from '../../model/workspace/mapped.js'
  */
@@ -38,10 +39,16 @@ export function volumeInWords({ doc }, map) {
   return [isFlat ? WORDS.sizeFlat(text) : WORDS.size(text), WORDS.extent(ranges)].join(' ');
 }
 
+/** Of a section that is not traced, how far its picture can be trusted. @param {NonNullable<SectionMap['first']>} first @param {Units} units */
+export const onlyFirst = ({ cells, beside }, units) =>
+  cells.columns === 0
+    ? SECTION.noneSeen
+    : SECTION.onlyFirst(shortLength(cells.size, units), beside > 0 ? shortLength(beside, units) : '');
+
 /** @param {AppState} state @param {SectionMap} map */
 export function sectionInWords({ doc }, { section, first }) {
   const { units } = doc.robot;
-  if (!section) return first ? SECTION.onlyFirst : SECTION.none;
+  if (!section) return first ? onlyFirst(first, units) : SECTION.none;
   if (!section.extent) return SECTION.empty;
   const { area, areaError, volume, volumeError, extent, kind, sides } = section;
   const holes = holesOf(section).length;

@@ -17,7 +17,7 @@ import { WORKSPACE } from '../words/workspace.js';
 import { SECTION } from '../words/workspaceSection.js';
 import { look, viewNow } from './look.js';
 import { createMapProgress, headText } from './mapProgress.js';
-import { sectionInWords } from './mapText.js';
+import { onlyFirst, sectionInWords } from './mapText.js';
 import { grouped, lengthText, measureText, shortLength } from './measures.js';
 import { createSaveButton } from './saveButton.js';
 import { createSectionDrawing } from './sectionDrawing.js';
@@ -100,25 +100,26 @@ export function createSectionPanel(page, body, say, afterPress) {
     const drawn = map?.section ?? map?.first ?? null;
     // of some planes there is a first picture, and nothing else
     const hasNone = isFresh && map.hasNone && !map.first;
-    const isOnlyFirst = isFresh && map.hasNone && map.first !== null;
+    const onlyPicture = isFresh && map.hasNone ? map.first : null;
     say(headText(map, () => (section?.extent ? measureText('area', section.area, section.areaError) : '')));
-    drawing.element.hidden = drawn === null || hasNone || Boolean(map?.why);
-    coarse.hidden = drawing.element.hidden || section !== null || isOnlyFirst;
+    const isNothing = drawn === null || drawn.cells.columns === 0 || (section !== null && !section.extent);
+    drawing.element.hidden = isNothing || hasNone || Boolean(map?.why);
+    coarse.hidden = drawing.element.hidden || section !== null || onlyPicture !== null;
     facts.hidden = !section?.extent;
     holesPart.hidden = true;
     save.disabled = !section?.extent;
     const words = map && section ? sectionInWords(store.state, map) : '';
     sentence.textContent = words;
     if (drawn && !hasNone) drawing.draw(drawn, units, words || SECTION.coarse);
-    about.textContent = drawn && !hasNone && !isOnlyFirst ? aboutCut(drawn) : '';
+    about.textContent = drawn && !hasNone && !onlyPicture ? aboutCut(drawn) : '';
     about.hidden = about.textContent === '';
     const missing = viewNow(page).cut === 'own' ? SECTION.noneOwn : SECTION.none;
-    note.textContent = isOnlyFirst ? SECTION.onlyFirst : hasNone ? missing : noteOf(section, units);
+    note.textContent = onlyPicture ? onlyFirst(onlyPicture, units) : hasNone ? missing : noteOf(section, units);
     note.hidden = note.textContent === '';
     if (section?.extent) write(section, units);
   }
 
-  /** @param {NonNullable<SectionMap['first']>} cut */
+  /** @param {TracedSection | NonNullable<SectionMap['first']>} cut */
   function aboutCut({ kind, isAnyAngle }) {
     if (kind !== 'meridian') return SECTION.about[kind];
     if (!isAnyAngle) return [SECTION.about[kind], SECTION.oneAngle].join(' ');

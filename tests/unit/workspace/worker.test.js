@@ -87,7 +87,9 @@ test('a section begins with pictures that grow finer, in its own plane', async (
 test('a plane that no joint brings places into has a picture of those that pass by, and no answer', async () => {
   const pictures = await saidOf(8, { cut: { kind: 'plane', origin: [0, 0, 0.3], u: [1, 0, 0], v: [0, 1, 0] } });
   expect(pictures).toHaveLength(1);
-  const [{ cells }] = pictures;
+  const [{ cells, beside }] = pictures;
+  expect(beside).toBeGreaterThan(0); // and no more than a cell
+  expect(beside).toBeLessThan(cells.size);
   expect(cells.reached.some(Boolean)).toBe(true);
   expect(said.at(-1)).toMatchObject({ found: { kind: 'section', section: null } });
   // Puma 560 reaches 0.8779 m from the shoulder (0.4318, 0.4323 and 0.15005 m), whose height is 0.67183 m

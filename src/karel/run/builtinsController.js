@@ -96,6 +96,12 @@ function kinematicsOf({ host }) {
   throw new Alarm('of the kinematics of an arm nothing is known here', 'kinematics');
 }
 
+/** @param {readonly number[]} joints @param {Machine} machine */
+function areInRange(joints, { host }) {
+  if (host.isInRange) return host.isInRange(joints);
+  throw new Alarm('of the limits of an arm nothing is known here', 'kinematics');
+}
+
 /** Wrist joint configurations and axes outside of the arm are not known here: they are left as they are. @type {Builtin} */
 const jointToPosition = ([joints, frame, tool, , position, , , status], machine) => {
   const system = framed(machine, frame, tool);
@@ -188,8 +194,12 @@ export const CONTROLLER = {
     put(status, isThere ? 0 : 1);
   },
 
-  IN_RANGE: () => true,
-  J_IN_RANGE: ([joints], { host }) => host.inRange?.(numbers(joints)) ?? true,
+  IN_RANGE: ([position], machine) => {
+    const own = numbers(position);
+    const joints = isJoints(position) ? own : kinematicsOf(machine).toJoints(own, machine.state.system);
+    return joints !== null && areInRange(joints, machine);
+  },
+  J_IN_RANGE: ([joints], machine) => areInRange(numbers(joints), machine),
   CURJPOS: (_, { host }) => [...(host.joints?.() ?? [0, 0, 0, 0, 0, 0])],
   CURPOS: (_, { host }) => [...(host.position?.() ?? [0, 0, 0, 0, 0, 0]), 0, 0, 0, 0].slice(0, 10),
   MOTION_CTL: () => true,

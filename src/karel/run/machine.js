@@ -100,8 +100,8 @@
  * @property {boolean} [traceSteps]                           an effect before each statement
  * @property {() => readonly number[]} [joints]               where the arm is: pendant values
  * @property {() => readonly number[]} [position]             x y z w p r of the tool
- * @property {(joints: readonly number[]) => boolean} [inRange]
  * @property {Kinematics} [kinematics]
+ * @property {(joints: readonly number[]) => boolean} [isInRange]  whether all are within their limits; pendant values
  * @property {(state: State) => void} [onScan]                inputs may change here
  */
 import { advanceArm, nextOfArm } from './arm.js';

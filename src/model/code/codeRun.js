@@ -57,7 +57,15 @@ export function createCodeRun(programs, id, arm, system = {}, how = {}) {
     main.name,
     { karel, listings },
     {
-      ...{ sources, traceSteps: true, steps: MOST_STEPS, joints: arm.joints, kinematics: arm.kinematics, ...how },
+      ...{
+        sources,
+        traceSteps: true,
+        steps: MOST_STEPS,
+        joints: arm.joints,
+        kinematics: arm.kinematics,
+        isInRange: arm.isInRange,
+        ...how,
+      },
       position: () => {
         const level = levelAt(controller, controller.turn);
         return arm.position(level.machine.state.system, level.language === 'tp');

@@ -150,6 +150,7 @@ function* runFanucFiles(files, findings, arm) {
     { karel, listings },
     {
       ...{ steps: STEPS, traceSteps: true, endsWithFirst: true, onScan: comingInputs(files) },
+      isInRange: () => true, // so that the program goes on: margins are told move by move
       ...(arm && {
         joints: arm.joints,
         position: () => arm.position(system(), levelAt(controller, controller.turn).language === 'tp'),

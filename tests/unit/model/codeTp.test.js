@@ -516,3 +516,37 @@ END p
   expect(run.outcome()?.status).toBe('ended');
   expect(run.variables().find(({ name }) => name === 'st')?.value).not.toBe('0');
 });
+
+test('joints and positions are in range within the limits of the arm, and where it has a posture', () => {
+  const doc = newDocument(firstRobot); // J1 from −160 to 160 degrees
+  const text = `PROGRAM p
+VAR j : JOINTPOS
+  here : XYZWPR
+  values : ARRAY[6] OF REAL
+  a, b, c, d : BOOLEAN
+  st : INTEGER
+BEGIN
+  values[1] = 160; values[2] = 50; values[3] = -170; values[4] = 5; values[5] = 40; values[6] = 20
+  CNV_REL_JPOS(values, j, st)
+  a = J_IN_RANGE(j)
+  here = j
+  b = IN_RANGE(here)
+  values[1] = 160.01
+  CNV_REL_JPOS(values, j, st)
+  c = J_IN_RANGE(j) OR IN_RANGE(j)
+  here.x = 9000
+  d = IN_RANGE(here)
+END p
+`;
+  const made = createCodeRun(
+    [karel('p', text)],
+    'p',
+    codeArm(() => doc),
+    systemAtFirst(doc),
+  );
+  if (!('run' in made)) throw new Error(made.diagnostics[0].message);
+  made.run.advance(() => false, 1000, NOWHERE);
+  expect(made.run.outcome()?.status).toBe('ended');
+  const seen = made.run.variables().filter(({ type }) => type === 'BOOLEAN');
+  expect(seen.map(({ value }) => value)).toEqual(['TRUE', 'TRUE', 'FALSE', 'FALSE']);
+});

@@ -134,7 +134,9 @@ export function* scanInSlices(text, report) {
       } else push('sign', match[0], match[0].length);
     } else {
       match = [String.fromCodePoint(text.codePointAt(at) ?? 0)];
-      report('character', `Expected KAREL, got the character ${JSON.stringify(match[0])}.`, at, at + match[0].length);
+      const hint = match[0] === '"' ? " A text stands in single quotes: 'text'." : '';
+      const message = `Expected KAREL, got the character ${JSON.stringify(match[0])}.${hint}`;
+      report('character', message, at, at + match[0].length);
     }
     at += match[0].length;
   }

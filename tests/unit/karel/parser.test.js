@@ -154,6 +154,7 @@ test.for([
   ['FOR i = 1 UNTIL 3 DO\nENDFOR', '2:11 Expected TO or DOWNTO, got "UNTIL".'],
   ['then = 1', '2:1 Expected a variable, got "then".'],
   ['x = 1 ? 2', '2:7 Expected KAREL, got the character "?".'],
+  ['x = 1 "', String.raw`2:7 Expected KAREL, got the character "\"". A text stands in single quotes: 'text'.`],
   [
     'WAIT FOR DIN[1] AND a = 1 OR b = 2',
     '2:27 Expected AND between all terms of a condition, got OR: AND and OR cannot be mixed.',

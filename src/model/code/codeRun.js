@@ -15,13 +15,12 @@ import { createController, goOn, restoreController, saveController } from '../..
 import { levelAt, levelsOf, memoryOf } from '../../karel/controllerTurns.js';
 import { debugged } from './codeDebugger.js';
 import { readPrograms } from './codePrograms.js';
+import { setRegister } from './givenRegisters.js';
 import { registerTexts, variablesOf, watched } from './codeShown.js';
 import { createKrlRun } from './krlRun.js';
 
 /** Instructions, before a program is taken to be endless. */
 const MOST_STEPS = 50_000_000;
-/** x y z w p r, the configuration, and the axes outside of the arm. */
-const NO_POSITION = Array(10).fill(0);
 /** Tasks of a program at most, to tell those of different programs apart. */
 const TASKS = 100;
 
@@ -116,13 +115,7 @@ function fanuc(controller, read) {
     setPort(port, index, value) {
       (memoryOf(controller).ports[port] ??= {})[index] = value;
     },
-    setRegister(bank, index, slot, value) {
-      const { registers, positionRegisters } = memoryOf(controller);
-      const now = /** @type {number[] | undefined} */ (positionRegisters[index]);
-      const isReal = !Number.isInteger(value);
-      if (bank === 'R') registers[index] = { value: isReal ? Math.fround(value) : value, isReal };
-      else positionRegisters[index] = (now ?? NO_POSITION).with(slot, value);
-    },
+    setRegister: (...setting) => setRegister(memoryOf(controller), ...setting),
     answer(line) {
       const level = top();
       if (level.language === 'karel') level.machine.state.input.push(line);

@@ -9,6 +9,7 @@
  * @import { Program } from '../../karel/tree.js'
  * @import { CodeFile } from '../../karel/write/neutral.js'
  * @import { SystemValues } from '../code/codeFrames.js'
+ * @import { RegisterSetting } from '../code/givenRegisters.js'
  *
  * @typedef {{ severity: 'error' | 'warning', code: string, message: string, file: string, line: number }} CodeFinding
  * @typedef {{ effects: Effect[], findings: CodeFinding[] }} CodeRun
@@ -17,6 +18,7 @@
  * @property {() => readonly number[]} joints
  * @property {(system: SystemValues, isTp: boolean) => readonly number[]} position
  * @property {Record<string, unknown>} system   what the controller's variables hold at first
+ * @property {readonly RegisterSetting[]} given  and its registers
  */
 import { checkKarel } from '../../karel/checker.js';
 import { createController, goOn } from '../../karel/controller.js';
@@ -29,6 +31,7 @@ import { checkTp } from '../../karel/tp/checker.js';
 import { parseTpInSlices } from '../../karel/tp/parser.js';
 import { nameOf } from '../../karel/tp/tree.js';
 import { comingInputs } from '../code/comingInputs.js';
+import { setRegister } from '../code/givenRegisters.js';
 
 const STEPS = 200_000;
 /** Statements between two looks at the clock. */
@@ -158,7 +161,19 @@ function* runFanucFiles(files, findings, arm) {
     },
     linked,
   );
-  if (arm && !controller.refusal) Object.assign(system(), arm.system);
+  if (arm && !controller.refusal) {
+    Object.assign(system(), arm.system);
+    for (const setting of arm.given) setRegister(memoryOf(controller), ...setting);
+    const names = [...new Set(arm.given.map(([bank, index]) => `${bank}[${index}]`))].join(', ');
+    if (names)
+      findings.push({
+        severity: 'warning',
+        code: 'given',
+        file: main,
+        line: 0,
+        message: `Taken as they were set by hand: ${names}.`,
+      });
+  }
   yield null;
   const run = goOn(controller);
   let count = 0;

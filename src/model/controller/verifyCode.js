@@ -8,6 +8,7 @@
  * @import { CodeFinding } from './runCode.js'
  * @import { Deviation, MoveMargins } from './moveMargins.js'
  * @import { SystemValues } from '../code/codeFrames.js'
+ * @import { RegisterSetting } from '../code/givenRegisters.js'
  * @import { CodeFile } from '../../karel/write/neutral.js'
  *
  * @typedef {object} CheckedMove
@@ -59,9 +60,10 @@ export const verifyCode = (doc, made, files, start) => atOnce(verifyInSlices(doc
  * @param {MadeProgram | null} made
  * @param {readonly CodeFile[]} files
  * @param {readonly number[]} [start]
+ * @param {readonly RegisterSetting[]} [given]   what registers hold at first
  * @returns {Generator<number, Verification>}
  */
-export function* verifyInSlices(doc, made, files, start = doc.posture) {
+export function* verifyInSlices(doc, made, files, start = doc.posture, given = []) {
   const language = files[0].language === 'krl' ? 'krl' : 'fanuc';
   const frames = made?.frames ?? controllerFrames(doc, language === 'krl' ? 'kuka' : 'fanuc');
   /** @type {CodeFinding[]} */
@@ -81,6 +83,7 @@ export function* verifyInSlices(doc, made, files, start = doc.posture) {
     position: (/** @type {SystemValues} */ system, /** @type {boolean} */ isTp) =>
       positionForCode({ ...doc, posture: posture() }, system, isTp),
     system: language === 'fanuc' ? systemAtFirst(doc, frames) : {},
+    given,
   };
   for (const effect of runMoves(files, findings, arm)) {
     yield made ? Math.min(1, moves.length / made.moves.length) : 1 - 1 / (1 + moves.length / SOME);

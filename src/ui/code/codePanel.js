@@ -57,7 +57,10 @@ export function createCodePanel(page, host, { version, today }) {
   const listing = h('div', { class: 'code-listing' });
   const roomHost = h('div', { class: 'code-room', hidden: true });
   const ownChosen = () => store.state.doc.programs.find(({ id }) => `own ${id}` === chosen) ?? null;
-  const found = createVerifyPart(page, { writer, ownChosen, redraw, version, today });
+  const found = createVerifyPart(page, {
+    ...{ writer, ownChosen, redraw, version, today },
+    given: () => room?.given() ?? [],
+  });
   fill(host, top, listing, roomHost, found.element);
   const writtenFiles = () => found.filesSaved() ?? writer.written()?.files ?? [];
   const menu = createFileMenu(page, {

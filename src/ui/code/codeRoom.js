@@ -236,6 +236,7 @@ export function createCodeRoom(page, host, openProgram) {
     },
     /** What is in the editor is in the document. */
     commit,
+    given: control.given,
     goTo: editor.goTo,
   };
 }

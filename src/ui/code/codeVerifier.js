@@ -2,6 +2,7 @@
  * Runs code on the model, in slices, and keeps what was found for as long as the texts are the same.
  *
  * @import { Page } from '../page.js'
+ * @import { RegisterSetting } from '../../model/code/givenRegisters.js'
  * @import { Doc } from '../../model/document.js'
  * @import { MadeProgram } from '../../model/controller/neutralProgram.js'
  * @import { Verification } from '../../model/controller/verifyCode.js'
@@ -16,6 +17,7 @@
  * @property {readonly CodeFile[]} files      the first is the one to run
  * @property {() => Generator<number, { doc: Doc, made: MadeProgram | null, start: readonly number[] }>} prepare  what to compare with
  * @property {unknown} about                  whose it is: compared by identity
+ * @property {readonly RegisterSetting[]} [given]   what registers hold at first
  * @property {(verification: Verification) => Generator<number, readonly CodeFile[]>} [finish]  the files as they are to be saved
  */
 import { verifyInSlices } from '../../model/controller/verifyCode.js';
@@ -41,7 +43,7 @@ export function createCodeVerifier({ clock, messages }, onChange, onProgress) {
     /** @param {unknown} about @returns {Verified | null} */
     found: (about) => (last && last.about === about ? last.verified : null),
     /** @param {VerifyQuestion} question @param {(verified: Verified) => void} onDone  may change the fate */
-    ask({ files: read, prepare, about, finish }, onDone) {
+    ask({ files: read, prepare, about, finish, given }, onDone) {
       cancel();
       [progress, asked, last] = [0, about, null];
       cancel = inSlices(job(), clock, {
@@ -66,7 +68,7 @@ export function createCodeVerifier({ clock, messages }, onChange, onProgress) {
 
       function* job() {
         const { doc, made, start } = yield* prepare();
-        const verification = yield* verifyInSlices(doc, made, read, start);
+        const verification = yield* verifyInSlices(doc, made, read, start, given);
         return { verification, files: finish ? yield* finish(verification) : read };
       }
     },

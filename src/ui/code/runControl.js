@@ -199,6 +199,7 @@ export function createRunControl({ store, clock, announce, messages }, { onChang
     status: () => status,
     run: () => run,
     said: () => said,
+    given: given.settings,
     /** The statement that is next. */
     place: () => (mode === 'over' || mode === 'idle' ? null : (run?.place() ?? null)),
     /** The line of the alarm that ended it. */

@@ -2,6 +2,7 @@
  * Below the code: verifying what is shown, and saving it if nothing is against that.
  *
  * @import { Page } from '../page.js'
+ * @import { RegisterSetting } from '../../model/code/givenRegisters.js'
  * @import { Verified } from './codeVerifier.js'
  * @import { CodeWriter } from './codeWriter.js'
  * @import { Verification } from '../../model/controller/verifyCode.js'
@@ -29,8 +30,9 @@ import { drawVerification } from './verificationView.js';
  * @param {() => void} given.redraw
  * @param {string} given.version
  * @param {() => string} given.today
+ * @param {() => readonly RegisterSetting[]} given.given  what registers hold at first
  */
-export function createVerifyPart(page, { writer, ownChosen, redraw, version, today }) {
+export function createVerifyPart(page, { writer, ownChosen, redraw, version, today, given }) {
   const { store, clock, announce } = page;
   const verifier = createCodeVerifier(page, redraw, draw);
   const element = h('section', { class: 'verify', 'aria-label': VERIFY.region, hidden: true });
@@ -143,7 +145,7 @@ export function createVerifyPart(page, { writer, ownChosen, redraw, version, tod
     verify() {
       const own = ownChosen();
       if (own) {
-        const question = ownQuestion(page, writer, own, { version, today });
+        const question = { ...ownQuestion(page, writer, own, { version, today }), given: given() };
         return verifier.ask(question, (found) => {
           certifyOwn(found, question.ids);
           saveIfSound(found);

@@ -8,6 +8,8 @@ import { codeArm } from '../../../src/model/code/codeArm.js';
 import { positionForCode, systemAtFirst } from '../../../src/model/code/codeFrames.js';
 import { planOfMove } from '../../../src/model/code/codeMoves.js';
 import { createCodeRun } from '../../../src/model/code/codeRun.js';
+import { atOnce } from '../../../src/model/inSlices.js';
+import { verifyInSlices } from '../../../src/model/controller/verifyCode.js';
 import { registersNamed } from '../../../src/model/code/codeSignals.js';
 import { createGivenRegisters } from '../../../src/model/code/givenRegisters.js';
 import { compileRobot } from '../../../src/model/compile.js';
@@ -173,6 +175,10 @@ test('registers that have no value can be given one, which the next run finds', 
   expect(tried(['PR', 4, 2, 10], ['R', 1, 0, 99]).reason).toContain('PR[4]');
   // what the program has set is its own
   expect(tried()).toEqual({ reason: undefined, registers: [[5], [4], [0, 0, 15, 0, 0, 0]] });
+  const files = [{ name: 'a.ls', language: /** @type {const} */ ('fanuc-tp'), text: programs[0].text }];
+  const doc = newDocument(firstRobot);
+  const verified = atOnce(verifyInSlices(doc, null, files, doc.posture, given.settings()));
+  expect(verified.findings.map(({ message }) => message)).toEqual(['Taken as they were set by hand: R[2], PR[4].']);
 });
 
 test('what is watched is worked out where the program is, and changes nothing', () => {

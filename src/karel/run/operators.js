@@ -23,6 +23,8 @@ export function compileBinary(operator, left, right, leftType, rightType) {
   if (operator === '*' && rightType.kind === 'VECTOR')
     return (m, f) => scaled(numbers(right(m, f)), number(left(m, f)));
   if (leftType.kind === 'VECTOR') return ofVectors(operator, left, right);
+  if (operator === '>=<' && leftType.kind === 'JOINTPOS' && rightType.kind === 'JOINTPOS')
+    return (m, f) => areSame(numbers(left(m, f)), numbers(right(m, f)));
   if (isPosition(leftType)) return ofPositions(operator, placed(left, leftType), placed(right, rightType), rightType);
   return (m, f) => ofAnything(operator, left(m, f), right(m, f));
 }
@@ -135,6 +137,9 @@ function ofPositions(operator, left, right, rightType) {
   if (rightType.kind === 'VECTOR') return (m, f) => transformed(numbers(left(m, f)), numbers(right(m, f)));
   return (m, f) => composed(numbers(left(m, f)), numbers(right(m, f)));
 }
+
+/** Joints of arms, one by one. @param {number[]} a @param {number[]} b */
+const areSame = (a, b) => a.length === b.length && a.every((value, i) => Math.abs(value - b[i]) <= NEAR);
 
 /** @param {number[]} a @param {number[]} b */
 function areNear(a, b) {

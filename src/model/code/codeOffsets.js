@@ -15,12 +15,12 @@ import { positionForCode } from './codeFrames.js';
 
 /** @type {Readonly<Record<string, string>>} */
 export const ASSUMED = {
-  NEAR: 'MOVE NEAR is taken to stop so far before the position, against its z axis. This is not verified.',
-  AWAY: 'MOVE AWAY is taken to draw the tool back so far against its own z axis. This is not verified.',
+  NEAR: 'Not verified: NEAR stops so far before the position, against its z axis.',
+  AWAY: 'Not verified: AWAY draws the tool back against its own z axis.',
   RELATIVE:
-    'MOVE RELATIVE is taken to shift the tool by a VECTOR along the axes of the user frame, without turning it, and by a position in the frame of the tool itself. This is not verified.',
-  ABOUT: 'MOVE ABOUT is taken to turn the tool about a vector in its own frame. This is not verified.',
-  AXIS: 'MOVE AXIS is taken to turn or shift one joint by so much as the pendant counts it. This is not verified.',
+    'Not verified: RELATIVE shifts the tool by a VECTOR along the axes of the user frame, or by a position in its own frame.',
+  ABOUT: 'Not verified: ABOUT turns the tool about a vector in its own frame.',
+  AXIS: 'Not verified: AXIS turns or shifts one joint as the pendant counts it.',
 };
 
 /** A Cartesian position as KAREL has it. */

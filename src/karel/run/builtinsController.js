@@ -6,6 +6,7 @@
 import { held, put } from './builtinsMath.js';
 import { abortTask } from './endings.js';
 import { scanHandlers } from './occurrences.js';
+import { packedClock } from './packedTime.js';
 import { hasNumber } from './places.js';
 import { asPosition, isJoints } from './positions.js';
 import { Alarm, copied, list, number, numbers, record, single, text, truth } from './values.js';
@@ -118,6 +119,17 @@ const positionToJoint = ([reference, position, frame, tool, , , , joints, status
   return put(status, found ? 0 : NO_POSTURE);
 };
 
+/**
+ * Taken to succeed, though nothing is done: there is nothing here that it could act on.
+ * @param {string} what
+ * @param {number} [at]   its argument that takes the status
+ * @returns {Builtin}
+ */
+const taken = (what, at) => (args, machine) => {
+  if (at !== undefined) put(args[at], 0);
+  machine.effect = { kind: 'no-effect', what };
+};
+
 /** @type {Builtin} */
 const copyFile = ([from, to, mayReplace, , status], { state: { files } }) => {
   const [source, target] = [from, to].map((path) => text(path).toUpperCase());
@@ -203,19 +215,22 @@ export const CONTROLLER = {
   CURJPOS: (_, { host }) => [...(host.joints?.() ?? [0, 0, 0, 0, 0, 0])],
   CURPOS: (_, { host }) => [...(host.position?.() ?? [0, 0, 0, 0, 0, 0]), 0, 0, 0, 0].slice(0, 10),
   MOTION_CTL: () => true,
-  LOCK_GROUP: ([, status]) => put(status, 0),
-  UNLOCK_GROUP: ([, status]) => put(status, 0),
+  LOCK_GROUP: taken('LOCK_GROUP', 1),
+  UNLOCK_GROUP: taken('UNLOCK_GROUP', 1),
   CLEAR_SEMA: ([index], { state }) => void (state.semaphores[number(index)] = 0),
   POST_SEMA: ([index], { state }) =>
     void (state.semaphores[number(index)] = (state.semaphores[number(index)] ?? 0) + 1),
   SEMA_COUNT: ([index], { state }) => state.semaphores[number(index)] ?? 0,
 
-  GET_TIME: ([target], { state }) => put(target, Math.trunc(state.time / 2000)),
+  GET_TIME: ([target], machine) => {
+    put(target, packedClock(machine.state.time));
+    machine.effect = { kind: 'assumed-date' };
+  },
   GET_USEC_TIM: (_, { state }) => Math.trunc(state.time * 10 ** 3) | 0,
 
   IO_STATUS: ([file]) => record(held(file)).status ?? 0,
   CLR_IO_STAT: ([file]) => void (record(held(file)).status = 0),
-  SET_FILE_ATR: () => undefined,
+  SET_FILE_ATR: taken('SET_FILE_ATR'),
   BYTES_AHEAD: ([file, count, status]) => {
     const { rest = '' } = record(held(file));
     put(count, text(rest).length);
@@ -232,10 +247,10 @@ export const CONTROLLER = {
     scanHandlers(machine, { name: 'ERROR', number: posted.code });
     if (posted.severity === ABORTS) abortTask(machine, machine.state.current);
   },
-  MSG_CONNECT: ([, status]) => put(status, 0),
-  MSG_DISCO: ([, status]) => put(status, 0),
-  MSG_PING: ([, status]) => put(status, 0),
-  FORCE_SPMENU: () => undefined,
-  KCL_NO_WAIT: ([, status]) => put(status, 0),
-  KCL: ([, status]) => put(status, 0),
+  MSG_CONNECT: taken('MSG_CONNECT', 1),
+  MSG_DISCO: taken('MSG_DISCO', 1),
+  MSG_PING: taken('MSG_PING', 1),
+  FORCE_SPMENU: taken('FORCE_SPMENU'),
+  KCL_NO_WAIT: taken('KCL_NO_WAIT', 1),
+  KCL: taken('KCL', 1),
 };

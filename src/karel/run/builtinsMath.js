@@ -5,6 +5,7 @@
  * @import { Reference, Value } from './values.js'
  */
 import { convertedReal, convertedWhole } from './format.js';
+import { packedTime, timeText } from './packedTime.js';
 import { axisOf, configOf, configText, degrees, frameOf, inverted, mirrored, radians } from './positions.js';
 import { Alarm, clipped, copied, list, number, numbers, record, single, text, truth, whole } from './values.js';
 
@@ -141,31 +142,6 @@ export const MATHEMATICS = {
 
 /** Not zero; that of a controller is not known. */
 const NO_ROOM = 1;
-
-const MONTHS = 'JANFEBMARAPRMAYJUNJULAUGSEPOCTNOVDEC';
-
-/** As DD-MMM-YY HH:MM, in 32 bits: years since 1980, month, day, hour, minute, pairs of seconds. @param {string} source */
-function packedTime(source) {
-  const match = /^\s*(\d{1,2})-([A-Z]{3})-(\d{2}) +(\d{1,2}):(\d{2})(?::(\d{2}))?\s*$/i.exec(source);
-  const month = match ? MONTHS.indexOf(match[2].toUpperCase()) / 3 + 1 : 0;
-  if (!match || !Number.isInteger(month) || month < 1) return undefined;
-  const [day, , year, hour, minute, second] = match.slice(1).map((part) => Number(part ?? 0));
-  const years = year >= 80 ? year - 80 : year + 20;
-  return (years << 25) | (month << 21) | (day << 16) | (hour << 11) | (minute << 5) | (second >> 1);
-}
-
-/** @param {number} packed */
-function timeText(packed) {
-  const two = (/** @type {number} */ value) => String(value).padStart(2, '0');
-  const month = 3 * (((packed >> 21) & 15) - 1);
-  const [day, year, hour, minute] = [
-    (packed >> 16) & 31,
-    (packed >>> 25) + 80,
-    (packed >> 11) & 31,
-    (packed >> 5) & 63,
-  ];
-  return `${two(day)}-${MONTHS.slice(month, month + 3)}-${two(year % 100)} ${two(hour)}:${two(minute)}`;
-}
 
 /** @param {Value} value @returns {boolean} */
 function isUnset(value) {

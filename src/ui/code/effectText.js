@@ -18,6 +18,10 @@ export function effectText(effect) {
       return CODE.posted(String(effect.message || effect.code));
     case 'alarm':
       return CODE.taskAlarm(String(effect.task), /** @type {{ reason: string }} */ (effect.alarm).reason);
+    case 'no-effect':
+      return CODE.noEffect(String(effect.what));
+    case 'assumed-date':
+      return CODE.date;
     default:
       return CODE.effect(String(effect?.kind));
   }

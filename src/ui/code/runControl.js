@@ -104,7 +104,8 @@ export function createRunControl({ store, clock, announce, messages }, { onChang
         become('paused', CODE.status.paused(line()));
         return false;
       default:
-        say(effectText(effect));
+        if (!/^(no-effect|assumed-date)$/.test(effect?.kind ?? '') || !said.includes(effectText(effect)))
+          say(effectText(effect));
         return true;
     }
   }

@@ -116,6 +116,8 @@ export const CODE = {
   noFrame: (/** @type {string} */ frame) =>
     `${frame} is not among the frames of this model: taken as one that changes nothing.`,
   effect: (/** @type {string} */ what) => `${what}: has no effect on the simulated arm.`,
+  date: 'GET_TIME: the simulated clock begins at 0:00 on 1 January 2000.',
+  noEffect: (/** @type {string} */ what) => `${what} is taken to succeed; nothing is done.`,
   posted: (/** @type {string} */ message) => `POST_ERR: ${message}`,
   taskAlarm: (/** @type {string} */ task, /** @type {string} */ reason) => `Task ${task} ended: ${reason}`,
   simulated: 'Simulated; no controller has judged this',

@@ -4,9 +4,10 @@
  * @import { Builtin } from './machine.js'
  */
 import { CONTROLLER } from './builtinsController.js';
+import { FILES } from './builtinsFiles.js';
 import { MATHEMATICS } from './builtinsMath.js';
 import { TASKS } from './tasks.js';
 import { VARIABLES_BY_NAME } from './variablesByName.js';
 
 /** @type {Readonly<Record<string, Builtin>>} */
-export const RUN = { ...MATHEMATICS, ...CONTROLLER, ...TASKS, ...VARIABLES_BY_NAME };
+export const RUN = { ...MATHEMATICS, ...CONTROLLER, ...FILES, ...TASKS, ...VARIABLES_BY_NAME };

@@ -3,13 +3,13 @@
  *
  * @import { Builtin, Machine } from './machine.js'
  */
-import { held, put } from './builtinsMath.js';
+import { put } from './builtinsMath.js';
 import { abortTask } from './endings.js';
 import { scanHandlers } from './occurrences.js';
 import { packedClock } from './packedTime.js';
 import { hasNumber } from './places.js';
 import { asPosition, isJoints } from './positions.js';
-import { Alarm, copied, list, number, numbers, record, single, text, truth } from './values.js';
+import { Alarm, copied, list, number, numbers, record, single, text } from './values.js';
 
 /** By the numbers of GET_PORT_VAL. */
 const PORT_TYPES = /** @type {Readonly<Record<number, string>>} */ ({
@@ -74,10 +74,6 @@ const parameterOf = ([index, type, integer, real, string, status], { state }) =>
   else put(isWhole ? integer : real, isWhole ? value : single(number(value)));
 };
 
-/** Of files; the second is a number of our own. */
-const NOT_THERE = 2014;
-const THERE_ALREADY = 1;
-
 /** Of POST_ERR. */
 const ABORTS = 2;
 
@@ -130,18 +126,8 @@ const taken = (what, at) => (args, machine) => {
   machine.effect = { kind: 'no-effect', what };
 };
 
-/** @type {Builtin} */
-const copyFile = ([from, to, mayReplace, , status], { state: { files } }) => {
-  const [source, target] = [from, to].map((path) => text(path).toUpperCase());
-  const isThere = Object.hasOwn(files, source);
-  const isFree = truth(mayReplace) || !Object.hasOwn(files, target);
-  if (isThere && isFree) files[target] = files[source];
-  return put(status, isThere ? (isFree ? 0 : THERE_ALREADY) : NOT_THERE);
-};
-
 /** @type {Readonly<Record<string, Builtin>>} */
 export const CONTROLLER = {
-  COPY_FILE: copyFile,
   CHECK_EPOS: ([position, frame, tool, status], machine) => {
     const system = framed(machine, frame, tool);
     put(status, kinematicsOf(machine).toJoints(numbers(position), system) ? 0 : NO_POSTURE);
@@ -206,6 +192,17 @@ export const CONTROLLER = {
     put(status, isThere ? 0 : 1);
   },
 
+  GET_PORT_SIM: ([type, index, isSimulated, status], { state }) => {
+    const port = PORT_TYPES[number(type)];
+    put(isSimulated, state.simulatedPorts?.[`${port}[${number(index)}]`] === true);
+    put(status, port ? 0 : 1);
+  },
+  SET_PORT_SIM: ([type, index, value, status], machine) => {
+    const port = PORT_TYPES[number(type)];
+    if (port) (machine.state.simulatedPorts ??= {})[`${port}[${number(index)}]`] = true;
+    CONTROLLER.SET_PORT_VAL([type, index, value, status], machine);
+  },
+
   IN_RANGE: ([position], machine) => {
     const own = numbers(position);
     const joints = isJoints(position) ? own : kinematicsOf(machine).toJoints(own, machine.state.system);
@@ -228,25 +225,26 @@ export const CONTROLLER = {
   },
   GET_USEC_TIM: (_, { state }) => Math.trunc(state.time * 10 ** 3) | 0,
 
-  IO_STATUS: ([file]) => record(held(file)).status ?? 0,
-  CLR_IO_STAT: ([file]) => void (record(held(file)).status = 0),
   SET_FILE_ATR: taken('SET_FILE_ATR'),
-  BYTES_AHEAD: ([file, count, status]) => {
-    const { rest = '' } = record(held(file));
-    put(count, text(rest).length);
-    put(status, 0);
-  },
-  DELETE_FILE: ([path, , status], { state }) => {
-    const isThere = Object.hasOwn(state.files, text(path).toUpperCase());
-    delete state.files[text(path).toUpperCase()];
-    put(status, isThere ? 0 : NOT_THERE);
-  },
   POST_ERR: ([code, message, , severity], machine) => {
     const posted = { code: number(code), message: text(message), severity: number(severity) };
+    const { time, tasks, current, posted: before } = machine.state;
+    machine.state.posted = { ...posted, time, program: tasks[current].name, count: (before?.count ?? 0) + 1 };
     machine.effect = { kind: 'error', ...posted };
     scanHandlers(machine, { name: 'ERROR', number: posted.code });
     if (posted.severity === ABORTS) abortTask(machine, machine.state.current);
   },
+  ERR_DATA: ([count, code, message, cause, causeText, time, severity, program], { state: { posted } }) => {
+    put(count, posted?.count ?? 0);
+    put(code, posted?.code ?? 0);
+    put(message, posted?.message ?? '');
+    put(cause, 0);
+    put(causeText, '');
+    put(time, packedClock(posted?.time ?? 0));
+    put(severity, posted?.severity ?? 0);
+    put(program, posted?.program ?? '');
+  },
+  SET_PERCH: taken('SET_PERCH', 2),
   MSG_CONNECT: taken('MSG_CONNECT', 1),
   MSG_DISCO: taken('MSG_DISCO', 1),
   MSG_PING: taken('MSG_PING', 1),

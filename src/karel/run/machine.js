@@ -59,6 +59,8 @@
  * @property {string[]} input         lines that wait to be read
  * @property {Value[]} args           with which a TP program has called it
  * @property {Record<string, number>} semaphores
+ * @property {Record<string, boolean>} [simulatedPorts]  by their names, as DIN[1]
+ * @property {{ code: number, message: string, severity: number, time: number, program: string, count: number }} [posted]  by POST_ERR, last
  * @property {Record<string, Value>} system     system variables by their text
  * @property {{ holder: Record<string | number, Value>, key: string | number, since: number, from: number }[]} timers
  * @property {{ kind: string, port: string, index: number, value: boolean, at: number }[]} pulses

@@ -5,8 +5,8 @@
  * The parser makes a tree of known words only (expressionTokens.js); this file walks it and knows no other kind of node, so nothing
  * that mathjs could do besides is within reach. Each part carries its units, so that 12 in + 0.4 m is right and 2 m + 90 deg is refused.
  *
- * @import { MathNode } from 'mathjs'
  * @import { LengthUnit, Units } from '../../model/document.js'
+ * @import { Node } from './expressionTree.js'
  *
  * @typedef {object} Part
  * @property {number} value   in units of the document, where it has one
@@ -20,16 +20,12 @@
  * @property {boolean} isUnclear  an angle in degrees that looks like one in radians
  * @property {boolean} hasBareTurns  somewhere the sine of a number without a unit was taken
  */
-import { create, parseDependencies } from 'mathjs/number';
 import { LARGEST_NUMBER } from '../../model/documentRules.js';
 import { convertAngle, convertLength, fromInches } from '../../model/units.js';
 import { FUNCTIONS, UNITS, readTokens } from './expressionTokens.js';
 import { tidy, turnFunction } from './expressionNumbers.js';
+import { parse } from './expressionTree.js';
 import { EXPRESSION } from '../words/expression.js';
-
-const { parse } = /** @type {{ parse: (text: string) => MathNode }} */ (
-  /** @type {unknown} */ (create(parseDependencies, {}))
-);
 
 /** What is against an expression, in a sentence. */
 class Against extends Error {}
@@ -86,11 +82,8 @@ function wrongUnit({ length, angle }, wanted) {
 
 /** @typedef {{ units: Units, hasBareTurns: boolean }} Walk */
 
-/** What is read of the nodes of mathjs. @typedef {{ type: string, name?: unknown, fn?: unknown, value?: unknown, content?: Node, args?: Node[] }} Node */
-
-/** @param {unknown} given @param {Walk} walk @returns {Part} */
-function partOf(given, walk) {
-  const node = /** @type {Node} */ (given);
+/** @param {Node} node @param {Walk} walk @returns {Part} */
+function partOf(node, walk) {
   const args = node.args ?? [];
   switch (node.type) {
     case 'ConstantNode':
@@ -100,7 +93,7 @@ function partOf(given, walk) {
       if (node.name === 'pi') return { ...bare(Math.PI), hasPi: true };
       break;
     case 'ParenthesisNode':
-      return partOf(node.content, walk);
+      return node.content ? partOf(node.content, walk) : refuse(EXPRESSION.incomplete);
     case 'OperatorNode':
       if (node.fn === 'multiply' && args[1].type === 'SymbolNode' && UNITS.includes(String(args[1].name))) {
         return inUnit(partOf(args[0], walk), String(args[1].name), walk.units);

@@ -10,7 +10,7 @@ VAR i : INTEGER
 BEGIN
   here = CURPOS(0, 0)
   here.z = here.z + 20.0
-  WITH $MOTYPE = LINEAR, $SPEED = 1000.0 MOVE TO here
+  WITH $MOTYPE = LINEAR, $SPEED = 1000.0, $TERMTYPE = FINE MOVE TO here
   i = 1
   WAIT FOR DIN[1]
   WHILE TRUE DO
@@ -69,6 +69,15 @@ test('a KAREL program is typed, run to a breakpoint, stepped back with the arm, 
   await expect(status).toHaveText('One error is in the way; it is marked.');
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect(page.locator('.cm-line').nth(7)).toHaveText('  i = 1');
+
+  await page.getByRole('button', { name: 'Go to the next one' }).click();
+  await page.getByRole('button', { name: 'Write as TP call' }).press('Enter');
+  await expect(page.getByRole('button', { name: 'main_mv.ls' })).toBeVisible();
+  await expect(editor).toContainText('%NOLOCKGROUP');
+  await expect(editor).toBeFocused();
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(editor).toContainText('MOVE TO here');
+  await expect(page.getByRole('button', { name: 'main_mv.ls' })).toBeHidden();
   await settled(page);
 });
 

@@ -26,7 +26,7 @@ export function speedFor({ value, unit }) {
   return { value: Math.min(most, Math.max(least, Math.round(value))), unit: written };
 }
 
-/** @param {NeutralMove} move @param {TpRegister} target @param {TpRegister} [via] @returns {TpMotion} */
+/** @param {Pick<NeutralMove, 'motion' | 'speed' | 'ending' | 'acceleration'>} move @param {TpRegister} target @param {TpRegister} [via] @returns {TpMotion} */
 export function motionFor({ motion, speed, ending, acceleration }, target, via) {
   const { value, unit } = speedFor(speed);
   /** @type {TpOption[]} */
@@ -116,7 +116,7 @@ function lineFor(step) {
 const onOff = (value) => ({ kind: 'word', word: value ? 'ON' : 'OFF' });
 
 /** @param {string} word @param {number} value @returns {TpInstruction} */
-const setting = (word, value) => ({ kind: 'assign', target: { kind: 'word', word }, value: number(value) });
+export const setting = (word, value) => ({ kind: 'assign', target: { kind: 'word', word }, value: number(value) });
 
 /** A remark ends at a semicolon, and holds so many characters. @param {string} text @returns {TpInstruction[]} */
 export const remarks = (text) =>
@@ -133,7 +133,7 @@ export const headRemarks = (program, about) => [
   ...(program.check ?? []).map((text) => /** @type {const} */ ({ kind: 'remark', text })),
 ];
 
-/** @param {string} name @param {NeutralProgram} program @param {readonly TpInstruction[]} lines @param {readonly TpPosition[]} positions @returns {TpListing} */
+/** @param {string} name @param {Pick<NeutralProgram, 'robotName' | 'generatedAt'>} program @param {readonly TpInstruction[]} lines @param {readonly TpPosition[]} positions @returns {TpListing} */
 export function listingFor(name, program, lines, positions) {
   const date = dateText(program.generatedAt);
   const attributes = {

@@ -96,21 +96,19 @@ export function karelProgram(programName, program, header, directives, variables
         ],
       },
       ...routines,
-      checkRoutine(),
+      checkRoutine(OWN.status, OWN.check),
     ],
     body: [...body],
   };
 }
 
-/** Stops before anything moves where a built-in refused. @returns {Routine} */
-function checkRoutine() {
+/** Stops before anything moves where a built-in refused. @param {string} status @param {string} check  what the two are called @returns {Routine} */
+export function checkRoutine(status, check) {
   return {
     kind: 'routine',
-    name: OWN.check,
+    name: check,
     parameters: [{ names: ['what'], type: { kind: 'string-type' } }],
-    body: [
-      stopIf(binary(name(OWN.status), '<>', integer(0)), [name('what'), string(' gave status '), name(OWN.status)]),
-    ],
+    body: [stopIf(binary(name(status), '<>', integer(0)), [name('what'), string(' gave status '), name(status)])],
   };
 }
 

@@ -5,7 +5,8 @@
  * @import { Diagnostic } from '../../karel/parse/cursor.js'
  * @import { Move } from '../../karel/tree.js'
  *
- * @typedef {{ from: number, to: number, line: number, severity: 'error' | 'warning', message: string }} Problem  in characters of the text
+ * @typedef {{ from: number, to: number, line: number, severity: 'error' | 'warning', message: string, isMove?: true }} Problem  in
+ *   characters of the text; of a MOVE that is deprecated
  */
 import { checkKarel } from '../../karel/checker.js';
 import { isKrlData, parseKrl } from '../../karel/krl/parser.js';
@@ -59,7 +60,7 @@ function deprecated(tree) {
     if (kind === 'move' && span) {
       const assumed = ASSUMED[target?.to ?? ''];
       const message = assumed ? `${DEPRECATED} ${assumed}` : DEPRECATED;
-      found.push({ severity: 'warning', code: 'deprecated-move', message, span });
+      found.push({ severity: 'warning', code: MOVE_CODE, message, span });
     }
     for (const [name, inner] of Object.entries(node)) if (name !== 'span') look(inner);
   };
@@ -67,13 +68,21 @@ function deprecated(tree) {
   return found;
 }
 
-const DEPRECATED =
-  'MOVE is deprecated since R-30iA: a controller may refuse it, or move unexpectedly. It runs here; TP programs are to move the arm, as a new KAREL program shows.';
+const MOVE_CODE = 'deprecated-move';
+const DEPRECATED = 'MOVE is deprecated since R-30iA: a controller may refuse it, or move unexpectedly. It runs here.';
 
 /** One in a file that is included stands at the beginning. @param {Diagnostic} diagnostic @param {string} text @returns {Problem} */
-function placed({ severity, message, span }, text) {
+function placed({ severity, code, message, span }, text) {
   const isElsewhere = 'file' in span && span.file !== undefined;
   if (isElsewhere) return { from: 0, to: 0, line: 1, severity, message: `${span.file}, line ${span.line}: ${message}` };
   const from = Math.min(span.start, text.length);
-  return { from, to: Math.min(Math.max(span.end, from), text.length), line: span.line, severity, message };
+  const to = Math.min(Math.max(span.end, from), text.length);
+  return {
+    from,
+    to,
+    line: span.line,
+    severity,
+    message,
+    ...(code === MOVE_CODE && { isMove: /** @type {const} */ (true) }),
+  };
 }

@@ -189,7 +189,12 @@ export function createCodePanel(page, host, { version, today }) {
     isLoading = true;
     try {
       const { createCodeRoom } = await import('./codeRoom.js');
-      room = createCodeRoom(page, roomHost, (id) => choose(`own ${id}`));
+      room = createCodeRoom(page, roomHost, {
+        openProgram: (id) => choose(`own ${id}`),
+        onAdded: () => void (known = new Set(store.state.doc.programs.map(({ id }) => id))),
+        version,
+        today,
+      });
       redraw();
     } catch (error) {
       messages.fault(error);

@@ -21,12 +21,21 @@ import { createEditor } from './editor.js';
 import { createPreviewer } from './previewer.js';
 import { createRunControl } from './runControl.js';
 import { createRunView } from './runView.js';
+import { createTpCallButton } from './tpCallButton.js';
 
 /** s after the last key: the document has the text, and it is looked at. */
 const IDLE = 0.4;
 
-/** @param {Page} page @param {HTMLElement} host @param {(id: string) => void} openProgram  another one is to be shown */
-export function createCodeRoom(page, host, openProgram) {
+/**
+ * @param {Page} page
+ * @param {HTMLElement} host
+ * @param {object} given
+ * @param {(id: string) => void} given.openProgram  another one is to be shown
+ * @param {() => void} given.onAdded   programs have come that are not to be shown
+ * @param {string} given.version       of this program, for the files' heads
+ * @param {() => string} given.today   ISO 8601
+ */
+export function createCodeRoom(page, host, { openProgram, onAdded, version, today }) {
   const { store, clock } = page;
   const whenLetGo = createPressGate(host, clock);
   /** @type {ProgramDoc | null} as the document has it */
@@ -47,7 +56,11 @@ export function createCodeRoom(page, host, openProgram) {
   const editorHost = h('div', { class: 'code-editor' });
   const problemText = h('p', { class: 'code-problem', role: 'status' });
   const nextProblem = h('button', { type: 'button', class: 'btn btn-outline', hidden: true }, CODE.goToProblem);
-  const problemLine = h('div', { class: 'code-problems' }, problemText, nextProblem);
+  const tpCalls = createTpCallButton(page, { version, today }, () => {
+    onAdded();
+    editor.focus();
+  });
+  const problemLine = h('div', { class: 'code-problems' }, problemText, tpCalls.button, nextProblem, tpCalls.reason);
   const runHost = h('div', { class: 'code-run', hidden: true });
   const limits = h('p', {}, CODE.limits);
   const simulated = h('details', { class: 'code-limits' }, h('summary', {}, CODE.simulated), limits);
@@ -141,8 +154,9 @@ export function createCodeRoom(page, host, openProgram) {
     const isNone = problems.length === 0;
     if (isNone && document.activeElement === nextProblem) editor.focus();
     nextProblem.hidden = isNone;
-    if (!open) return;
+    if (!open) return tpCalls.show(null);
     const here = problems.find((one) => one.line === line);
+    tpCalls.show((here ?? problems[0])?.isMove ? { ...open, text: editor.text() } : null);
     if (here) return say(`${CODE.line(here.line)}: ${here.message}`, here.severity === 'error');
     const errors = problems.filter(({ severity }) => severity === 'error').length;
     if (problems.length === 0) return say(open.language === 'krl' ? CODE.noProblemsKrl : CODE.noProblems);

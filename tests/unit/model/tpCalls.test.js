@@ -105,7 +105,7 @@ describe('the arm goes the same way', () => {
           );
         },
       ),
-      { seed: SEED, numRuns: runs(12) },
+      { seed: SEED, numRuns: runs(6) },
     );
   });
 

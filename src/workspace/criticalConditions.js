@@ -1,6 +1,8 @@
 /**
  * What a posture has to meet to lie on a critical curve, on a face of the box of joint values, and which way the curve goes on.
+ * With the slide that the plane takes care of at a limit, what the free joints do to it counts as well, by a factor μ.
  *
+ * @import { Face } from './criticalCurves.js'
  * @import { SectionMap } from './sectionMap.js'
  * @import { Vertex } from './traced.js'
  */
@@ -21,12 +23,13 @@ const FLAT = 1e-5;
 const STANDING = 1e-6;
 
 /**
- * The conditions of one face, at unknowns y = (free arguments …, θ).
+ * The conditions of one face, at unknowns y = (free arguments …, θ), and μ if the slide is held.
  * @param {SectionMap} map
- * @param {{ free: number[], x: Float64Array }} face
+ * @param {Face} face
  */
-export function createConditions(map, { free, x }) {
-  const m = free.length;
+export function createConditions(map, { free, x, held }) {
+  const n = free.length;
+  const m = held === undefined ? n : n + 1;
   const place = Float64Array.from([...x, 0]);
   const scale = map.placement.chain.characteristicLength;
   const values = new Float64Array(m);
@@ -39,10 +42,14 @@ export function createConditions(map, { free, x }) {
   const write = (y, out) => {
     free.forEach((k, i) => (place[k] = y[i]));
     map.write(place);
-    const { f, Jf } = map;
+    const { f, Jf, Jn } = map;
     const outward = map.kind === 'meridian' ? Math.max(f[0], 1e-12) : 1;
-    const [c, s] = [Math.cos(y[m]), Math.sin(y[m])];
-    for (let i = 0; i < m; i++) out[i] = ((c * Jf[2 * free[i]]) / outward + s * Jf[2 * free[i] + 1]) / scale;
+    const [c, s] = [Math.cos(y[n]), Math.sin(y[n])];
+    for (let i = 0; i < n; i++) {
+      const k = free[i];
+      out[i] = ((c * Jf[2 * k]) / outward + s * Jf[2 * k + 1] + (held === undefined ? 0 : y[m] * Jn[k])) / scale;
+    }
+    if (held !== undefined) out[n] = (map.needed() - held) / scale;
   };
 
   /** The conditions and how they change, decomposed. @param {Float64Array} y @returns {number} the largest condition */
@@ -96,14 +103,14 @@ export function createConditions(map, { free, x }) {
       for (let k = m; k >= 0; k--) {
         if (k < m && svd.values[k] > FLAT * svd.values[0]) break;
         let [du, dv] = [0, 0];
-        for (let i = 0; i < m; i++) {
+        for (let i = 0; i < n; i++) {
           du += (svd.V[(m + 1) * k + i] * Jf[2 * free[i]]) / outward;
           dv += svd.V[(m + 1) * k + i] * Jf[2 * free[i] + 1];
         }
         open.push([k, du, dv]);
       }
       // Places only move square to n here: their speed along the curve says how much each direction counts.
-      const [nu, nv] = [-Math.sin(y[m]), Math.cos(y[m])];
+      const [nu, nv] = [-Math.sin(y[n]), Math.cos(y[n])];
       const shares = open.map(([, du, dv]) => du * nu + dv * nv);
       const size = Math.hypot(...shares);
       if (size < STANDING * scale) return null;
@@ -115,7 +122,7 @@ export function createConditions(map, { free, x }) {
     },
     /** @param {Float64Array} y @returns {Vertex} */
     vertex(y) {
-      const full = Float64Array.from([...x, y[m]]);
+      const full = Float64Array.from([...x, ...y.subarray(n)]);
       free.forEach((k, i) => (full[k] = y[i]));
       map.write(full);
       return { x: full, u: map.f[0], v: map.f[1] };
@@ -133,9 +140,14 @@ export function createConditions(map, { free, x }) {
       });
       return Math.cos(after - before) < 0;
     },
+    /** Whether the joint that the plane takes care of can be where it has to be. @param {Float64Array} y */
+    isBrought(y) {
+      write(y, values);
+      return map.isBrought();
+    },
     /** The same with the normal as it is on the other side of the axis. @param {Float64Array} y @param {number} [half] */
     mirrored: (y, half = Math.PI) => y.with(m, half - y[m]),
     /** @param {Vertex} vertex @returns {Float64Array} */
-    unknowns: ({ x: full }) => Float64Array.from([...free.map((k) => full[k]), full[full.length - 1]]),
+    unknowns: ({ x: full }) => Float64Array.from([...free.map((k) => full[k]), ...full.subarray(x.length)]),
   };
 }

@@ -12,6 +12,12 @@
  *
  * @import { SectionMap } from './sectionMap.js'
  * @import { Fixed, Traced, Vertex } from './traced.js'
+ *
+ * @typedef {object} Face  of the box of joint values
+ * @property {number[]} free
+ * @property {Float64Array} x
+ * @property {Fixed[]} fixed
+ * @property {number} [held]  where the slide stands that the plane takes care of, if that is at a limit
  */
 import { contourPieces } from './contour.js';
 import { refined, vertexAt } from './traced.js';
@@ -34,10 +40,10 @@ const DEEPEST = 5;
  * The faces with so many free arguments: which are free, and where the others stand.
  * @param {SectionMap} map
  * @param {number} freedom
- * @returns {{ free: number[], x: Float64Array, fixed: Fixed[] }[]}
+ * @returns {Face[]}
  */
 export function facesOf({ lower, upper, isClosed, free, placement }, freedom) {
-  /** @type {{ free: number[], x: Float64Array, fixed: Fixed[] }[]} */
+  /** @type {Face[]} */
   let faces = [{ free: [], x: lower.slice(), fixed: [] }];
   for (let i = 0; i < lower.length; i++) {
     const joint = placement.ranges.joints[free[i]];
@@ -56,9 +62,28 @@ export function facesOf({ lower, upper, isClosed, free, placement }, freedom) {
 }
 
 /**
+ * Likewise, with the slide that the plane takes care of at a limit.
+ * @param {SectionMap} map
+ * @param {number} freedom
+ * @returns {Face[]}
+ */
+export function heldFaces(map, freedom) {
+  const { left, isAnyAngle, placement } = map;
+  if (left < 0 || isAnyAngle) return [];
+  const { ranges } = placement;
+  return /** @type {const} */ (['lower', 'upper']).flatMap((bound) =>
+    facesOf(map, freedom).map(({ fixed, ...face }) => ({
+      ...face,
+      fixed: [...fixed, { joint: ranges.joints[left], bound }],
+      held: ranges[bound][left],
+    })),
+  );
+}
+
+/**
  * @param {SectionMap} map
  * @param {number} tolerance  m
- * @param {ReturnType<typeof facesOf>} [faces]
+ * @param {Face[]} [faces]
  * @returns {Generator<Traced>}
  */
 export function* edges(map, tolerance, faces = facesOf(map, 1)) {
@@ -107,26 +132,19 @@ export function* folds(map, tolerance) {
  * @returns {Generator<Traced>}
  */
 export function* ownLimits(map, tolerance) {
-  const { placement, left, isAnyAngle } = map;
-  if (left < 0 || isAnyAngle) return;
   const beside = new Float64Array(2);
-  const { joints, lower, upper } = placement.ranges;
-  for (const bound of /** @type {const} */ (['lower', 'upper'])) {
-    const limit = (bound === 'lower' ? lower : upper)[left];
-    for (const { free, x, fixed } of facesOf(map, 2)) {
-      const [a, b] = free;
-      const place = x.slice();
-      const write = (/** @type {number} */ p, /** @type {number} */ q) => {
-        place[a] = p;
-        place[b] = q;
-        map.write(place);
-        map.writeBeside(limit, beside);
-      };
-      const of = (/** @type {number} */ p, /** @type {number} */ q) => (write(p, q), beside[0]);
-      const isThere = (/** @type {number} */ p, /** @type {number} */ q) => (write(p, q), beside[1] > 0);
-      const own = [...fixed, { joint: joints[left], bound }];
-      yield* contours(map, { free, x, fixed: own, kind: 'limit', of, isThere }, tolerance);
-    }
+  for (const { free, x, fixed, held = 0 } of heldFaces(map, 2)) {
+    const [a, b] = free;
+    const place = x.slice();
+    const write = (/** @type {number} */ p, /** @type {number} */ q) => {
+      place[a] = p;
+      place[b] = q;
+      map.write(place);
+      map.writeBeside(held, beside);
+    };
+    const of = (/** @type {number} */ p, /** @type {number} */ q) => (write(p, q), beside[0]);
+    const isThere = (/** @type {number} */ p, /** @type {number} */ q) => (write(p, q), beside[1] > 0);
+    yield* contours(map, { free, x, fixed, kind: 'limit', of, isThere }, tolerance);
   }
 }
 

@@ -10,12 +10,14 @@
  * Where the same places are reached by whole families of critical postures, the curve is followed along the direction in
  * which the place moves most.
  *
+ * @import { Face } from './criticalCurves.js'
  * @import { SectionMap } from './sectionMap.js'
- * @import { Fixed, Traced, Vertex } from './traced.js'
+ * @import { Traced, Vertex } from './traced.js'
  */
 import { createRandom } from '../kinematics/random.js';
 import { createConditions } from './criticalConditions.js';
-import { facesOf } from './criticalCurves.js';
+import { facesOf, heldFaces } from './criticalCurves.js';
+import { flatFaces } from './flatFaces.js';
 import { Squares } from './squares.js';
 import { apart, refining } from './traced.js';
 
@@ -66,18 +68,20 @@ export const nothingDrawn = (tolerance) => new Squares(SQUARE * tolerance);
 export function* criticalPostures(map, tolerance, seed, drawn, farthest) {
   const random = createRandom(seed);
   const { lower, upper } = map;
-  for (let freedom = 3; freedom <= lower.length; freedom++) {
-    for (const face of facesOf(map, freedom)) {
+  for (let freedom = 2; freedom <= lower.length; freedom++) {
+    for (const face of freedom === 2 ? flatFaces(map) : [...facesOf(map, freedom), ...heldFaces(map, freedom)]) {
+      const own = face.held === undefined ? [] : [0];
       const tracer = createTracer(map, face, tolerance, drawn);
       for (let start = -farthest.length, idle = 0; start < STARTS && idle < PATIENCE; start++) {
         if (start % 10 === 9) yield null;
         if (start >= 0) idle++;
         const from = farthest[start + farthest.length];
         const y = from
-          ? Float64Array.from([...face.free.map((k) => from.x[k]), from.theta])
+          ? Float64Array.from([...face.free.map((k) => from.x[k]), from.theta, ...own])
           : Float64Array.from([
               ...face.free.map((k) => lower[k] + random() * (upper[k] - lower[k])),
               random() * HALF_TURN,
+              ...own.map(() => 2 * random() - 1),
             ]);
         const runs = yield* tracer(y);
         if (runs.length > 0) idle = 0;
@@ -109,7 +113,7 @@ export function* criticalFrom(map, tolerance, drawn, { x, theta }) {
 /**
  * Finds the curve that some unknowns are near to, and follows it both ways.
  * @param {SectionMap} map
- * @param {{ free: number[], x: Float64Array, fixed: Fixed[] }} face
+ * @param {Face} face
  * @param {number} tolerance
  * @param {Drawn} drawn
  * @returns {(y: Float64Array) => Generator<null, Traced[]>}
@@ -117,9 +121,11 @@ export function* criticalFrom(map, tolerance, drawn, { x, theta }) {
 function createTracer(map, face, tolerance, drawn) {
   const { lower, upper, isClosed } = map;
   const conditions = createConditions(map, face);
+  const isHeld = face.held !== undefined;
   const isInside = (/** @type {Float64Array} */ y) =>
-    face.free.every((k, i) => isClosed[k] || (y[i] >= lower[k] && y[i] <= upper[k]));
-  const rounds = [...face.free.map((k) => (isClosed[k] ? FULL_TURN : 0)), HALF_TURN];
+    face.free.every((k, i) => isClosed[k] || (y[i] >= lower[k] && y[i] <= upper[k])) && conditions.isBrought(y);
+  const closed = face.free.map((k) => (isClosed[k] ? FULL_TURN : 0));
+  const rounds = isHeld ? [...closed, FULL_TURN, 0] : [...closed, HALF_TURN];
   /** @param {Vertex} a @param {Vertex} b */
   const between = (a, b) => {
     const middle = conditions.unknowns(a).map((value, i) => (value + conditions.unknowns(b)[i]) / 2);

@@ -34,11 +34,12 @@ const ROUNDS = 4;
 export function* outlinesOfFields(map, curves, goTo, drawn, tolerance) {
   /** @type {[Vertex, Vertex][]} */
   const bridges = [];
+  const isBrought = (/** @type {Vertex} */ { x }) => (map.write(x), map.isBrought());
   for (let round = 1; ; round++) {
     const before = curves.length + bridges.length;
-    const pieces = curves.flatMap((curve) =>
-      curve.vertices.slice(1).map((to, i) => ({ from: curve.vertices[i], to, curve })),
-    );
+    const pieces = curves
+      .flatMap((curve) => curve.vertices.slice(1).map((to, i) => ({ from: curve.vertices[i], to, curve })))
+      .filter(({ from, to }) => isBrought(from) || isBrought(to));
     const once = onlyOnce(pieces, tolerance, true);
     yield { stage: 'sides', share: 0 };
     const arranging = arranged(once, bridges, tolerance);

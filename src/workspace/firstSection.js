@@ -66,7 +66,7 @@ export function* firstSections(chain, options = {}) {
  */
 function placesIn(map, chain, withLimits, seed, count) {
   const sampler = createSampler(chain, { withLimits, seed });
-  const { joints, lower, upper } = map.placement.ranges;
+  const { joints } = map.placement.ranges;
   const q = new Float64Array(chain.dof);
   const x = new Float64Array(map.free.length);
   const places = new Float64Array(2 * count);
@@ -75,8 +75,7 @@ function placesIn(map, chain, withLimits, seed, count) {
     sampler.postureAt(index, q);
     for (let k = 0; k < x.length; k++) x[k] = q[joints[map.free[k]]];
     map.write(x);
-    const needed = map.needed();
-    if (map.left >= 0 && !map.isAnyAngle && !(needed >= lower[map.left] && needed <= upper[map.left])) continue;
+    if (!map.isBrought()) continue;
     places.set(map.f, 2 * found++);
   }
   return places.subarray(0, 2 * found);

@@ -36,10 +36,9 @@ const NUDGE = 0.03;
  * Where a section has a place of the TCP: u and v, and how far beside the plane, which of a half-plane at any angle is nothing.
  * @param {SectionMap} map
  * @param {ArrayLike<number>} place
- * @param {number} [from]
  */
-export function seenIn({ kind, origin, across, u, v, isAnyAngle }, place, from = 0) {
-  let [x, y, z] = [place[from] - origin[0], place[from + 1] - origin[1], place[from + 2] - origin[2]];
+function seenIn({ kind, origin, across, u, v, isAnyAngle }, place) {
+  let [x, y, z] = [place[0] - origin[0], place[1] - origin[1], place[2] - origin[2]];
   if (kind === 'plane' && isAnyAngle) {
     const away = dot(cross(u, v), [x, y, z]);
     [x, y, z] = along([x, y, z], -away, across);
@@ -51,22 +50,41 @@ export function seenIn({ kind, origin, across, u, v, isAnyAngle }, place, from =
 }
 
 /**
+ * Where a section has sampled postures: u and v, and how much farther the slide would have to go that brings them there.
+ * @param {SectionMap} map
+ * @param {Sampler} sampler
+ * @returns {number[][]}
+ */
+export function seenPostures(map, sampler) {
+  const { joints, lower, upper } = map.placement.ranges;
+  const q = new Float64Array(map.placement.q.length);
+  const x = new Float64Array(map.free.length);
+  return Array.from({ length: KEPT }, (_, index) => {
+    sampler.postureAt(index, q);
+    for (let k = 0; k < x.length; k++) x[k] = q[joints[map.free[k]]];
+    map.write(x);
+    const needed = map.needed();
+    const off = map.isAnyAngle ? 0 : Math.max(0, lower[map.left] - needed, needed - upper[map.left]);
+    return [map.f[0], map.f[1], off];
+  });
+}
+
+/**
  * Of sampled postures those that put the TCP the farthest in some direction of the section: close to its outer boundary.
  * @param {SectionMap} map
  * @param {Sampler} sampler
+ * @param {number[][]} seen
  * @returns {Farthest[]}
  */
-export function farthestOf(map, sampler) {
-  const places = new Float32Array(3 * KEPT);
-  sampler.fill(0, places);
+export function farthestOf(map, sampler, seen) {
   const best = Array.from({ length: DIRECTIONS }, (_, k) => ({
     theta: (2 * Math.PI * k) / DIRECTIONS,
     far: -Infinity,
     at: 0,
   }));
   for (let k = 0; k < KEPT; k++) {
-    const [u, v] = seenIn(map, places, 3 * k);
-    for (const each of best) {
+    const [u, v, off] = seen[k];
+    for (const each of off > 0 ? [] : best) {
       const far = u * Math.cos(each.theta) + v * Math.sin(each.theta);
       if (far > each.far) [each.far, each.at] = [far, k];
     }
@@ -82,17 +100,15 @@ export function farthestOf(map, sampler) {
  * @param {SectionMap} map
  * @param {Descent} descent
  * @param {Sampler} sampler
+ * @param {number[][]} seen
  * @param {number} within  m
  * @returns {GoTo}
  */
-export function createGoing(map, descent, sampler, within) {
+export function createGoing(map, descent, sampler, seen, within) {
   const random = createRandom(1);
   const { ranges } = map.placement;
   const start = new Float64Array(ranges.joints.length);
   const q = new Float64Array(map.placement.q.length);
-  const places = new Float32Array(3 * KEPT);
-  sampler.fill(0, places);
-  const seen = Array.from({ length: KEPT }, (_, k) => seenIn(map, places, 3 * k));
   const low = [0, 1].map((axis) => seen.reduce((least, at) => Math.min(least, at[axis]), Infinity));
   const high = [0, 1].map((axis) => seen.reduce((most, at) => Math.max(most, at[axis]), -Infinity));
   const squareAt = (/** @type {number} */ value, /** @type {0 | 1} */ axis) =>
@@ -115,6 +131,15 @@ export function createGoing(map, descent, sampler, within) {
     return found.sort((a, b) => a.far - b.far).slice(0, NEAREST);
   };
 
+  /** The joint left out goes as far towards the plane as it can. */
+  const bring = () => {
+    const { left, isAnyAngle, placement } = map;
+    if (left < 0) return;
+    const needed = map.needed();
+    const { lower, upper } = placement.ranges;
+    start[left] = isAnyAngle ? needed : Math.min(upper[left], Math.max(lower[left], needed));
+  };
+
   /** Where the last descent has come to, seen in the section. */
   const came = () => seenIn(map, descent.placement.place);
 
@@ -134,10 +159,8 @@ export function createGoing(map, descent, sampler, within) {
     for (const { k } of nearest(u, v)) {
       sampler.postureAt(k, q);
       ranges.joints.forEach((joint, i) => (start[i] = q[joint]));
-      if (map.left >= 0 && map.isAnyAngle) {
-        map.write(Float64Array.from(map.free, (i) => start[i]));
-        start[map.left] = map.needed();
-      }
+      map.write(Float64Array.from(map.free, (i) => start[i]));
+      bring();
       if (arrives()) return null;
     }
     for (let count = 1; count <= NUDGED + ANYWHERE; count++) {
@@ -147,7 +170,8 @@ export function createGoing(map, descent, sampler, within) {
         const value = x[i] + (2 * random() - 1) * spread;
         start[k] = ranges.isClosed[k] ? value : Math.min(ranges.upper[k], Math.max(ranges.lower[k], value));
       });
-      if (map.left >= 0) start[map.left] = map.needed();
+      map.write(Float64Array.from(map.free, (i) => start[i]));
+      bring();
       if (arrives()) return null;
     }
     return best;

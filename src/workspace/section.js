@@ -55,8 +55,7 @@ import { edges, folds, ownLimits } from './criticalCurves.js';
 import { addDrawn, criticalPostures, nothingDrawn } from './criticalPostures.js';
 import { createPlaceSolver } from './exactPlaces.js';
 import { createDescent } from './descent.js';
-import { createGoing, farthestOf } from './goneTo.js';
-import { hasFlatFace, slideFaces } from './flatFaces.js';
+import { createGoing, farthestOf, seenPostures } from './goneTo.js';
 import { outlinesOfFields } from './fieldOutlines.js';
 import { enclosed, onlyOnce, outlinesOf } from './outline.js';
 import { createSampler } from './sampler.js';
@@ -117,9 +116,9 @@ function* sectionWithin(chain, options) {
   if (!map) return null;
   const solve = map.free.length <= 2 ? createPlaceSolver(chain, withLimits, map.isAnyAngle ? map.left : -1) : null;
   const isReached = solve && reachedBy(solve, map);
-  // Postures that are found land on sections at any angle, in the plane of a planar arm, and where a slide always brings them; elsewhere
-  // they pass by.
-  if (!isReached && (!map.isAnyAngle || (map.kind === 'plane' && hasFlatFace(map)))) return null;
+  // Postures that are found land on sections at any angle, in the plane of a planar arm, and where a slide brings them; elsewhere they
+  // pass by.
+  if (!isReached && !map.isAnyAngle && map.kind === 'meridian') return null;
 
   /** @type {Traced[]} */
   const curves = [];
@@ -143,11 +142,11 @@ function* sectionWithin(chain, options) {
     for (; !step.done; step = work.next()) yield { stage: 'volume', share: step.value };
     return { ...section, ...step.value };
   }
-  if (map.kind === 'plane') curves.push(...edges(map, tolerance, slideFaces(map)));
   const sampler = createSampler(chain, { withLimits, seed });
+  const seen = seenPostures(map, sampler);
   const drawn = nothingDrawn(tolerance);
   for (const curve of curves) addDrawn(drawn, curve);
-  for (const curve of criticalPostures(map, tolerance, seed, drawn, farthestOf(map, sampler))) {
+  for (const curve of criticalPostures(map, tolerance, seed, drawn, farthestOf(map, sampler, seen))) {
     if (curve) curves.push(curve);
     yield { stage: 'curves', share: curves.length / (curves.length + FEW) };
   }
@@ -160,6 +159,7 @@ function* sectionWithin(chain, options) {
     map,
     createDescent(chain, withLimits, map.isAnyAngle ? map.left : -1),
     sampler,
+    seen,
     tolerance / 100,
   );
   yield { stage: 'sides', share: 0 };

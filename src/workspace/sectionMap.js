@@ -30,10 +30,12 @@
  * @property {boolean[]} isClosed
  * @property {Float64Array} f        2: u and v, filled by `write`
  * @property {Float64Array} Jf       2 · k: what the arguments do to them; u's row of a meridian times u
+ * @property {Float64Array} Jn       k: what they do to the value that the joint left out has to have, if that slides
  * @property {(x: ArrayLike<number>) => void} write
  * @property {(bound: number, out: Float64Array) => void} writeBeside  after `write`: how far beside the plane the place is
  *   while the joint left out stands at `bound`, and how far on the right side of its axis (for a slide 1)
  * @property {() => number} needed   after `write`: the value of the joint left out that brings the place into the plane
+ * @property {() => boolean} isBrought  after `write`: whether that joint can be there
  * @property {(f: ArrayLike<number>) => Vector} lift  a point of the section in the chain's root
  */
 import { cross, dot, minus, along, squareTo, norm } from '../kinematics/lines.js';
@@ -139,6 +141,7 @@ export function createSectionMap(chain, cut, withLimits) {
   const all = new Float64Array(m);
   const f = new Float64Array(2);
   const Jf = new Float64Array(2 * free.length);
+  const Jn = new Float64Array(free.length);
   let ahead = 0;
   let beside = 0;
 
@@ -162,10 +165,13 @@ export function createSectionMap(chain, cut, withLimits) {
       const at = 3 * free[i];
       const ja = gaugeU[0] * J[at] + gaugeU[1] * J[at + 1] + gaugeU[2] * J[at + 2];
       const jc = gaugeW[0] * J[at] + gaugeW[1] * J[at + 1] + gaugeW[2] * J[at + 2];
+      Jn[i] = jc;
       Jf[2 * i] = isTurned ? a * ja + c * jc : ja;
       Jf[2 * i + 1] = gaugeV[0] * J[at] + gaugeV[1] * J[at + 1] + gaugeV[2] * J[at + 2];
     }
   }
+
+  const needed = () => (isTurned ? -Math.atan2(beside, ahead) : beside);
 
   return {
     kind,
@@ -182,13 +188,15 @@ export function createSectionMap(chain, cut, withLimits) {
     isClosed: free.map((k) => ranges.isClosed[k]),
     f,
     Jf,
+    Jn,
     write,
     writeBeside(bound, out) {
       const [cos, sin] = [Math.cos(bound), Math.sin(bound)];
       out[0] = isTurned ? ahead * sin + beside * cos : beside - bound;
       out[1] = isTurned ? ahead * cos - beside * sin : 1;
     },
-    needed: () => (isTurned ? -Math.atan2(beside, ahead) : beside),
+    needed,
+    isBrought: () => isAnyAngle || (needed() >= ranges.lower[left] - SAME && needed() <= ranges.upper[left] + SAME),
     lift: (point) => along(along(origin, point[0], u), point[1], v),
   };
 }

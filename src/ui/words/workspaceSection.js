@@ -32,7 +32,7 @@ export const SECTION = {
   precise: 'Trace the boundary to 0.05 mm',
   none: 'There is no answer for this plane yet: no joint of this arm brings its places into it, or the arm has more joints than can be solved in closed form. The arm’s own section may be known.',
   onlyFirst: (/** @type {string} */ cell, /** @type {string} */ beside) =>
-    `Only this picture is known of it so far: cells of ${cell} in which a sampled posture lands${beside && `, or up to ${beside} beside the plane`}. What is left out may be reached, too. No joint of this arm brings all its places into this plane (a slide may be too short for some postures), so nothing is traced or measured here.`,
+    `Only this picture is known of it so far: cells of ${cell} in which a sampled posture lands${beside && `, or up to ${beside} beside the plane`}. What is left out may be reached, too. No joint of this arm brings its places into this plane, so nothing is traced or measured here.`,
   noneSeen: 'None of the sampled postures lands in this plane: it seems to be out of reach, which is no proof.',
   noneOwn: 'There is no answer for this arm yet. A plane may be known: choose one.',
   empty: 'Nothing of the plane is reached.',

@@ -164,6 +164,9 @@ describe('the section of an arm with joints to spare closes, and misses no place
   });
 });
 
+/** Two joints that turn about one direction: seen from their edge, both move the tool along one line. */
+const inLine = [0, 1].map(() => [0.075, 0, 0, 0]);
+
 describe('a gantry whose tool stands beside its wrist', () => {
   const quarter = [0, QUARTER, 0, QUARTER];
   const tool = 0.15;
@@ -177,7 +180,8 @@ describe('a gantry whose tool stands beside its wrist', () => {
 
   test.each(
     /** @type {[string, number[][], number][]} */ ([
-      ...(isDeep ? [['one joint that turns, seen from its edge', oneTurn, 0.6 + 2 * tool]] : []),
+      ['one joint that turns, seen from its edge', oneTurn, 0.6 + 2 * tool],
+      ['two that turn along one line', inLine, 0.6 + 2 * tool],
       [
         'two: a rectangle rolled along by a disc',
         twoTurns,
@@ -189,11 +193,75 @@ describe('a gantry whose tool stands beside its wrist', () => {
     expect(section.kind).toBe('plane');
     expect(Math.abs(section.area - area)).toBeLessThan(section.areaError);
     expect(section.areaError).toBeLessThan(0.003);
+    expect(section.gap).toBeLessThan(1e-3);
     expect(section.outlines).toHaveLength(1);
   });
+});
 
-  test('nothing is traced where the slide is too short for some postures', () => {
-    expect(sectionAtOnce(createChain(gantry(0.25, ...twoTurns)), options)).toBe(null);
+/**
+ * Where the slide that crosses the plane is too short for some postures: a low box of wrists with a tool around each, and an arm that is pushed
+ * up a little, cut aslant so that what is reached ends where the slide does.
+ */
+describe('a slide too short for some postures:', () => {
+  const [high, deep, wide, tool] = [0.1, 1.2, 0.6, 0.15];
+  const up = [0, QUARTER, 0, QUARTER];
+  const gantry = (/** @type {number[][]} */ ...wrist) =>
+    armOf(
+      ...[sliding(up, [0, high]), sliding(up, [0, deep]), sliding([0, QUARTER, 0, 0], [0, wide])],
+      ...wrist.map((row) => turning(row)),
+    );
+  /** As it is seen from above, places are nearer to each other by this share. */
+  const seen = 1 / Math.hypot(1, 0.5);
+  /** @param {number[]} from @param {boolean} [isLevel] @returns {SectionOptions} */
+  const across = (from, isLevel = false) => ({
+    cut: {
+      kind: 'plane',
+      origin: [from[0], from[1], from[2]],
+      u: [0, 1, 0],
+      v: isLevel ? [-1, 0, 0] : [seen, 0, 0.5 * seen],
+    },
+    tolerance: 4e-4,
+    cell: 0.02,
+  });
+  /** Seen along the plane's slope a rectangle, rolled along by the tool. @type {Inside} */
+  const rolled = (u, v) => {
+    const z = 0.5 * seen * v;
+    return tool - Math.hypot(Math.max(0, -u, u - wide), Math.max(0, -z, z - high));
+  };
+  const slanting = (wide * high + 2 * tool * (wide + high) + Math.PI * tool ** 2) / (0.5 * seen);
+  const beyond = 0.1;
+  const rest = Math.sqrt(tool ** 2 - beyond ** 2);
+  /** @type {Inside} */
+  const levelled = (u, v) => rest - Math.hypot(Math.max(0, -u, u - wide), Math.max(0, v, -deep - v));
+  /** Three links of together 0.6 m that turn about the slide, which lets them follow the plane so far out. */
+  const out = 0.3;
+  const strip = 2 * (out * Math.sqrt(0.36 - out ** 2) + 0.36 * Math.asin(out / 0.6)) - Math.PI * 0.1 ** 2;
+  const pillar = armOf(sliding([0, 0, 0, 0], [0, out]), ...[0.35, 0.15, 0.1].map((a) => turning([a, 0, 0, 0])));
+
+  test.each(
+    /** @type {[string, ChainDescription, SectionOptions, number, Inside][]} */ ([
+      ['one joint that turns', gantry([tool, 0, 0, 0]), across([0.4, 0, 0]), slanting, rolled],
+      ['two that turn along one line', gantry(...inLine), across([0.4, 0, 0]), slanting, rolled],
+      [
+        'two that turn to all sides, beyond the end of the slide',
+        gantry([0, QUARTER, 0, 0], [tool, 0, 0, 0]),
+        across([0, 0, high + beyond], true),
+        (deep + 2 * rest) * (wide + 2 * rest) - (4 - Math.PI) * rest ** 2,
+        levelled,
+      ],
+      [
+        'a pillar with three links',
+        pillar,
+        across([0, 0, out / 2]),
+        strip / seen,
+        (u, v) => Math.min(annulus(0.1, 0.6)(u, seen * v), out - Math.abs(seen * v)),
+      ],
+    ]),
+  )('%s', (_name, arm, options, area, inside) => {
+    const section = sectionOf(arm, options);
+    expect(Math.abs(section.area - area)).toBeLessThan(section.areaError);
+    expect(section.areaError).toBeLessThan(0.01 * area);
+    expect(farthestOff(section, inside)).toBeLessThan(1e-3);
   });
 });
 

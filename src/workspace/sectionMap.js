@@ -142,10 +142,8 @@ export function createSectionMap(chain, cut, withLimits) {
   const f = new Float64Array(2);
   const Jf = new Float64Array(2 * free.length);
   const Jn = new Float64Array(free.length);
-  let ahead = 0;
-  let beside = 0;
-
   const isTurned = kind === 'meridian';
+  let [ahead, beside] = [0, 0];
 
   /** @param {ArrayLike<number>} x */
   function write(x) {
@@ -172,7 +170,6 @@ export function createSectionMap(chain, cut, withLimits) {
   }
 
   const needed = () => (isTurned ? -Math.atan2(beside, ahead) : beside);
-
   return {
     kind,
     placement,

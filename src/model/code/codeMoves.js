@@ -13,6 +13,7 @@
  * @import { MotionPlan } from '../../motion/plan.js'
  * @import { Chain } from '../../kinematics/chain.js'
  */
+import { keyOfText } from '../../karel/run/systemVariables.js';
 import { inverseKinematics } from '../../kinematics/inverse.js';
 import { compose } from '../../kinematics/pose.js';
 import { planMotion } from '../../motion/plan.js';
@@ -61,14 +62,23 @@ export function planOfMove(doc, posture, effect, system) {
   return { plan: planMotion(found.moves[0].move.followed.chain, start, moves, limits), missing: found.missing };
 }
 
+/** What WITH of a MOVE sets for it alone: its frame and its tool, too. @param {Effect} effect @param {SystemValues} system @returns {SystemValues} */
+export function withOwnFrames({ settings }, system) {
+  const own = Object.entries(settings ?? {}).filter(([name]) => /U(FRAME|TOOL)$/.test(name));
+  return own.length === 0
+    ? system
+    : { ...system, ...Object.fromEntries(own.map(([name, to]) => [keyOfText(name), to])) };
+}
+
 /**
  * @param {Doc} doc
  * @param {Float64Array} start
  * @param {Effect} effect
- * @param {SystemValues} system
+ * @param {SystemValues} controller
  * @returns {{ moves: { move: CodeMove, effect: Effect }[], missing: readonly string[] } | { message: string }}
  */
-export function movesOf(doc, start, effect, system) {
+export function movesOf(doc, start, effect, controller) {
+  const system = withOwnFrames(effect, controller);
   const frames = effect.brand === 'kuka' ? { ...controllerFrames(doc, 'kuka'), missing: [] } : codeFrames(doc, system);
   const plain = effect.settings ? asPlainMove(doc, start, effect, system) : effect;
   if ('message' in plain) return { message: String(plain.message) };

@@ -10,7 +10,7 @@
  * @import { Effect } from '../../karel/run/machine.js'
  */
 import { codeFrames, OWN_FRAME } from '../code/codeFrames.js';
-import { movesOf } from '../code/codeMoves.js';
+import { movesOf, withOwnFrames } from '../code/codeMoves.js';
 import { codeMove } from './codeMoves.js';
 
 /**
@@ -35,7 +35,11 @@ export function effectMoves(doc, frames, from, effect, isStrict) {
     return { message: 'a position that is moved to is uninitialised' };
   const done =
     raw && system
-      ? codeMove(doc, codeFrames(doc, system), from, { ...effect, userFrame: OWN_FRAME, toolFrame: OWN_FRAME })
+      ? codeMove(doc, codeFrames(doc, withOwnFrames(raw, system)), from, {
+          ...effect,
+          userFrame: OWN_FRAME,
+          toolFrame: OWN_FRAME,
+        })
       : codeMove(doc, frames, from, effect);
   if ('message' in done) return done;
   return { moves: [raw ? asSaid(done, effect) : done], missing: [] };

@@ -109,13 +109,15 @@ test('inputs that a person sets are seen by the program, and what it wants done 
 test('MOVE takes the tool where it says, in millimetres and degrees of the controller', () => {
   const doc = newDocument(firstRobot);
   const run = runOf(`PROGRAM p
-VAR a, b : XYZWPR
+VAR a, b, aside : XYZWPR
 BEGIN
 a = POS(400, 100, 300, 150, 0, 0, a.config_data)
 b = a
 b.x = b.x + 100
+aside = POS(100, 0, 0, 0, 0, 0, a.config_data)
 MOVE TO a
 WITH $MOTYPE = LINEAR, $SPEED = 100 MOVE TO b
+WITH $UFRAME = aside MOVE TO a
 END p
 `);
   const chain = compileRobot(doc.robot);
@@ -134,7 +136,7 @@ END p
     expect([T[13], T[14], T[0]].map((value) => value.toFixed(6))).toEqual(['0.100000', '0.971830', '1.000000']);
     posture = Array.from(end, (value) => (value * 180) / Math.PI);
   }
-  expect(durations).toHaveLength(2);
+  expect(durations).toHaveLength(3);
   expect(durations[1]).toBeGreaterThan(0.9);
   expect(compilePosture(doc.robot, posture)).toHaveLength(6);
 });

@@ -30,6 +30,7 @@ test('the published numbers of an R-2000iB, typed as on its pendant, are its pub
   await expect(page.locator('.controller-note')).toContainText('no controller data');
   // the coupling of J3 is set below the table, by keys
   await page.getByLabel('Joint 3, link length a, millimetres').focus();
+  await expect(page.locator('#fold-joint')).toContainText('Joint 3'); // a key that comes before the picture finds joint 1
   await page.locator('#fold-joint').press('Enter');
   const third = page.getByRole('group', { name: 'Joint 3 on the pendant' });
   await third.getByRole('combobox', { name: 'Joint 3 on the pendant follows' }).selectOption('J2');

@@ -18,6 +18,7 @@ import './ui/css/tableHeads.css';
 import './ui/css/panels.css';
 import './ui/css/poseAndTarget.css';
 import './ui/css/view.css';
+import './ui/css/tags.css';
 import './ui/css/dialogs.css';
 import './ui/css/layout.css';
 import './ui/css/phone.css';

@@ -39,8 +39,8 @@ import { compose, invert } from '../../kinematics/pose.js';
 import { compilePose, compilePosture, compileRobot, postureFromKernel } from '../compile.js';
 import { isSliding } from '../document.js';
 import { configurationAt } from '../aim/solutions.js';
-import { atOnce } from '../inSlices.js';
-import { motionMoves } from '../program/motionPlan.js';
+import { atOnce, within } from '../inSlices.js';
+import { movesInSlices } from '../program/motionPlan.js';
 import { isMove } from '../program/motionProgram.js';
 import { issue } from '../refusalParts.js';
 import { convertAngle, convertLength, fromKernel } from '../units.js';
@@ -90,7 +90,7 @@ export const neutralProgram = (doc, program, options) => atOnce(neutralInSlices(
 export function* neutralInSlices(doc, program, options) {
   const { brand, version, generatedAt, start = doc.posture } = options;
   const { robot } = doc;
-  const planned = motionMoves(doc, program, start);
+  const planned = yield* within(movesInSlices(doc, program, start), 0);
   if (planned.issues.length > 0) return { made: null, issues: planned.issues };
   const frames = controllerFrames(doc, brand, options.numbers);
   const ways = viaWays(compileRobot(robot), planned.moves, planned.limits);

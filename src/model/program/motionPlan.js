@@ -26,10 +26,9 @@ import { allInverseKinematics } from '../../kinematics/allInverse.js';
 import { tcpPose } from '../../kinematics/forward.js';
 import { inverseKinematics } from '../../kinematics/inverse.js';
 import { compose } from '../../kinematics/pose.js';
-import { planMotion } from '../../motion/plan.js';
 import { compilePose, compilePosture, compileRobot, postureFromKernel } from '../compile.js';
 import { framePose, poseOnly, targetPose } from '../frames/frames.js';
-import { memo } from '../memo.js';
+import { atOnce } from '../inSlices.js';
 import { limitsOf } from './motionLimits.js';
 import { isMove } from './motionProgram.js';
 import { issue, shown } from '../refusalParts.js';
@@ -47,9 +46,18 @@ export const ASSUMED_TOOL_ACCELERATION = 4;
  * @param {readonly number[]} [start]  where the arm stands at first, in document units
  * @returns {KernelMoves}
  */
-export function motionMoves(doc, program, start = doc.posture) {
+export const motionMoves = (doc, program, start = doc.posture) => atOnce(movesInSlices(doc, program, start));
+
+/**
+ * The same, posture by posture.
+ * @param {Doc} doc
+ * @param {MotionProgramDoc} program
+ * @param {readonly number[]} start
+ * @returns {Generator<number, KernelMoves>} yields the share of the steps that is done
+ */
+export function* movesInSlices(doc, program, start) {
   const run = createRun(doc, start);
-  run.through(program, null, []);
+  yield* run.through(program, null, []);
   const { limits, assumed } = limitsOf(doc.robot.joints, doc.robot.units);
   return {
     moves: run.issues.length > 0 ? [] : run.moves,
@@ -61,22 +69,6 @@ export function motionMoves(doc, program, start = doc.posture) {
 }
 
 /**
- * The plan of a program, remembered for as long as the program and the arm are the same. A long one is the worker's.
- * @returns {(doc: Doc, program: MotionProgramDoc, start?: readonly number[]) => ReturnType<typeof planMotion> | null}  null where there are issues
- */
-export function createMotionPlans() {
-  const planned = memo(
-    /** @param {Doc} doc @param {MotionProgramDoc} program @param {readonly number[]} start */
-    (doc, program, start) => {
-      const { moves, limits, issues } = motionMoves(doc, program, start);
-      if (issues.length > 0) return null;
-      return planMotion(compileRobot(doc.robot), compilePosture(doc.robot, start), moves, limits);
-    },
-  );
-  return (doc, program, start = doc.posture) => planned(doc, program, start);
-}
-
-/**
  * Where the arm stands at the end of a move: of a joint move, or of the same place gone to by its joints.
  * @param {Doc} doc
  * @param {MoveStep} step
@@ -84,7 +76,7 @@ export function createMotionPlans() {
  * @returns {{ posture: number[] } | { message: string }}
  */
 export function postureAt(doc, step, from = doc.posture) {
-  const found = createRun(doc, from).postureOf(step);
+  const found = atOnce(createRun(doc, from).postureOf(step));
   return 'message' in found ? found : { posture: postureFromKernel(doc.robot, found.posture) };
 }
 
@@ -110,6 +102,7 @@ function createRun(doc, start) {
   let /** @type {Float64Array} */ seed = compilePosture(robot, start);
   /** @type {{ chain: Chain, T: Float64Array }[]} */
   const passed = [];
+  let share = 0;
 
   /** @param {Assumption['what']} what @param {number} step */
   const assume = (what, step) => assumed.set(what, (assumed.get(what) ?? new Set()).add(step));
@@ -131,8 +124,10 @@ function createRun(doc, start) {
     return chain === chains.get(undefined) ? {} : { chain };
   }
 
-  function whereFrom() {
+  /** @returns {Generator<number, Float64Array>} */
+  function* whereFrom() {
     for (const { chain, T } of passed.splice(0)) {
+      yield share;
       const found = inverseKinematics(chain, T, { seed });
       if (found.status === 'converged' || found.status === 'subspace') seed = found.q;
     }
@@ -147,14 +142,14 @@ function createRun(doc, start) {
     return compose(framePose(frame, units), compilePose(target, units));
   }
 
-  /** @param {MoveStep} step @returns {{ posture: Float64Array } | { message: string }} */
-  function postureOf(step) {
+  /** @param {MoveStep} step @returns {Generator<number, { posture: Float64Array } | { message: string }>} */
+  function* postureOf(step) {
     const { target } = step;
     if (target.kind === 'posture') return { posture: compilePosture(robot, target.values) };
     const asked = target.kind === 'target' ? namedTarget(doc, target.id).configuration : target.configuration;
     const chain = chainOf(step);
     const T = poseOf(step, target);
-    const from = whereFrom();
+    const from = yield* whereFrom();
     const near = inverseKinematics(chain, T, { seed: from });
     const isMet = near.status === 'converged' || near.status === 'subspace';
     if (!isMet) return { message: UNREACHED[near.reason ?? 'distance'] };
@@ -169,13 +164,13 @@ function createRun(doc, start) {
       : { message: `The arm has no posture there in the configuration ${shown(asked)}.` };
   }
 
-  /** @param {MoveStep} step @param {number} index */
-  function move(step, index) {
+  /** @param {MoveStep} step @param {number} index @returns {Generator<number, string | null>} why not */
+  function* move(step, index) {
     const ending = endingOf(step.ending, units);
     // only joint moves have the laws that go on through their targets (motionFaults.js)
     const law = step.law === undefined ? {} : { law: /** @type {PlanLaw} */ (step.law) };
     if (step.kind === 'joint') {
-      const found = postureOf(step);
+      const found = yield* postureOf(step);
       if ('message' in found) return found.message;
       const share = { speed: step.speed / 100, acceleration: step.acceleration / 100 };
       add(
@@ -219,12 +214,15 @@ function createRun(doc, start) {
    * @param {MotionProgramDoc} program
    * @param {number | null} calledBy  the step of the program that is planned
    * @param {readonly string[]} under  way
+   * @returns {Generator<number, void>}
    */
-  function through({ id, name, steps: list }, calledBy, under) {
+  function* through({ id, name, steps: list }, calledBy, under) {
     for (const [i, step] of list.entries()) {
       if (step.disabled) continue;
       const index = calledBy ?? i;
-      const reason = one(step, index, [...under, id]);
+      if (calledBy === null) share = i / list.length;
+      yield share;
+      const reason = yield* one(step, index, [...under, id]);
       if (reason === null) continue;
       const where = calledBy === null ? `Step ${i + 1}` : `Step ${i + 1} of ${shown(name)}`;
       issues.push({ ...issue('step-impossible', `steps.${index}`, `${where}: ${reason}`), step: index });
@@ -232,15 +230,15 @@ function createRun(doc, start) {
     }
   }
 
-  /** @param {StepDoc} step @param {number} index @param {readonly string[]} under @returns {string | null} why not */
-  function one(step, index, under) {
-    if (isMove(step)) return move(step, index);
+  /** @param {StepDoc} step @param {number} index @param {readonly string[]} under @returns {Generator<number, string | null>} why not */
+  function* one(step, index, under) {
+    if (isMove(step)) return yield* move(step, index);
     if (step.kind === 'wait') add({ kind: 'wait', seconds: step.seconds }, index);
     if (step.kind === 'wait-input') assume('input', index);
     if (step.kind !== 'call') return null;
     if (under.includes(step.program)) return 'The program would call itself.';
     const called = doc.motionPrograms.find(({ id }) => id === step.program);
-    if (called) through(called, index, under);
+    if (called) yield* through(called, index, under);
     else assume('call', index);
     return null;
   }

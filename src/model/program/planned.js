@@ -2,7 +2,7 @@
  * What is known of a motion program in time: the question that was asked, and the answer as far as it has come.
  *
  * @import { Doc, MotionProgramDoc } from '../document.js'
- * @import { Issue } from '../issues.js'
+ * @import { StepIssue } from './motionPlan.js'
  * @import { Assumption } from './motionLimits.js'
  * @import { PlanSeries } from './planSeries.js'
  * @import { MotionPlan } from '../../motion/plan.js'
@@ -25,7 +25,7 @@
  * @property {number | null} progress   share that is done; null: nothing is under way
  * @property {Planned | null} planned   null: not yet, or never, if there are issues
  * @property {PlanSeries | null} series  of what is planned, a moment later
- * @property {readonly Issue[]} issues  why there is nothing to plan
+ * @property {readonly StepIssue[]} issues  why there is nothing to plan
  * @property {boolean} isGivenUp        by whoever did not want to wait
  */
 export {};

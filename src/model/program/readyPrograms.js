@@ -23,6 +23,7 @@
 import { tcpPose } from '../../kinematics/forward.js';
 import { compilePosture, compileRobot } from '../compile.js';
 import { homePosture, limitsOf } from '../document.js';
+import { atOnce } from '../inSlices.js';
 import { applyMotionCommand } from './motionCommands.js';
 import { planRequest } from './planRequest.js';
 import { poseInUnits } from '../numbers/poseNumbers.js';
@@ -79,7 +80,7 @@ export function* readyProgram(doc, id, words) {
 function questionOf(doc, chain, steps) {
   const made = applyMotionCommand({ ...doc, motionPrograms: [] }, { type: 'add-motion-program', name: '', steps });
   const [program] = made.motionPrograms;
-  const { request, issues } = planRequest({ doc: made, program, start: homePosture(doc.robot) }, chain);
+  const { request, issues } = atOnce(planRequest({ doc: made, program, start: homePosture(doc.robot) }, chain));
   if (issues.length > 0) return null;
   // whether one is refused does not depend on its rounding, which takes the most time
   const sharp = request.moves.map((move) =>

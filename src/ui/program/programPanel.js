@@ -31,7 +31,7 @@ import { createReasons } from '../parts/reasons.js';
 import { createRangeCard } from './rangeCard.js';
 import { createStepActs } from './stepActs.js';
 import { createStepCard } from './stepCard.js';
-import { createStepFaults, stepTouchWords } from './stepFaults.js';
+import { stepFaults, stepTouchWords } from './stepFaults.js';
 import { emptyPicture } from './stepText.js';
 import { travelTo } from '../travel.js';
 import { whenFirst } from '../parts/whenFirst.js';
@@ -148,7 +148,6 @@ export function createProgramPanel(page, host, files, cells) {
   const card = createStepCard(page, reasons, carryOutOn);
   const rangeCard = createRangeCard((act) => void acts[act]());
   const name = createProgramName(page, reasons);
-  const stepFaults = createStepFaults();
   const recordFirst = h(
     'button',
     { type: 'button', class: 'btn btn-primary', 'data-action': 'record' },

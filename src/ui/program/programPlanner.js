@@ -5,6 +5,7 @@
  * @import { Page } from '../page.js'
  * @import { Planned, Planning, Question } from '../../model/program/planned.js'
  */
+import { inSlices } from '../../model/inSlices.js';
 import { isSameQuestion, questionNow } from '../../model/program/planning.js';
 import { planRequest } from '../../model/program/planRequest.js';
 import { seriesOf } from '../../model/program/planSeries.js';
@@ -29,6 +30,7 @@ export function createProgramPlanner({ store, addView, derived, clock, messages 
   /** @type {Question | null} that was asked last */
   let asked = null;
   let stopWaiting = () => {};
+  let stopMaking = () => {};
 
   /** @param {Partial<Planning>} change */
   function show(change) {
@@ -41,31 +43,46 @@ export function createProgramPlanner({ store, addView, derived, clock, messages 
 
   /** @param {Question} question */
   function ask(question) {
+    giveUp();
     asked = question;
-    stopWaiting();
-    apart.cancel();
     const chain = derived.chain(question.doc);
-    const { moves, steps, limits, assumptions, issues, request } = planRequest(question, chain);
-    if (issues.length > 0) {
-      show({ question, ...NOTHING, issues });
-      return;
-    }
     let progress = 0;
     stopWaiting = clock.after(PATIENCE, () => show({ progress }));
-    apart.ask(
-      request,
-      (share) => {
-        const isSeen = store.state.session.planning?.progress ?? null;
-        progress = share;
-        if (isSeen !== null) show({ progress });
+    stopMaking = inSlices(planRequest(question, chain), clock, {
+      onDone({ request, issues, ...found }) {
+        if (issues.length === 0) apart.ask(request, onProgress, (plan) => onPlan({ plan, ...found }));
+        else {
+          stopWaiting();
+          show({ question, ...NOTHING, issues });
+        }
       },
-      (plan) => {
-        stopWaiting();
-        const planned = { plan, moves, steps, limits, assumptions };
-        show({ question, ...NOTHING, planned });
-        sample(planned, seriesOf(planned, chain));
+      onFault(error) {
+        giveUp();
+        show({ progress: null });
+        messages.fault(error);
       },
-    );
+    });
+
+    /** @param {number} share */
+    function onProgress(share) {
+      const isSeen = store.state.session.planning?.progress ?? null;
+      progress = share;
+      if (isSeen !== null) show({ progress });
+    }
+
+    /** @param {Planned} planned */
+    function onPlan(planned) {
+      stopWaiting();
+      show({ question, ...NOTHING, planned });
+      sample(planned, seriesOf(planned, chain));
+    }
+  }
+
+  /** Whatever is under way. */
+  function giveUp() {
+    stopWaiting();
+    stopMaking();
+    apart.cancel();
   }
 
   /** Whoever draws it waits for it, and nobody else. @param {Planned} planned @param {ReturnType<typeof seriesOf>} run */
@@ -94,8 +111,7 @@ export function createProgramPlanner({ store, addView, derived, clock, messages 
 
   return {
     cancel() {
-      stopWaiting();
-      apart.cancel();
+      giveUp();
       if (asked) show({ question: asked, ...NOTHING, isGivenUp: true });
     },
     again() {

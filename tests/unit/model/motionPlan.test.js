@@ -1,10 +1,14 @@
 /** A program of the document becomes moves for the kernel, in its units; what is assumed is named, what cannot be names its step. */
 import { describe, expect, test } from 'vitest';
+import { compileRobot } from '../../../src/model/compile.js';
+import { atOnce } from '../../../src/model/inSlices.js';
 import { LIBRARY, newDocument } from '../../../src/model/library.js';
-import { createMotionPlans, motionMoves, postureAt } from '../../../src/model/program/motionPlan.js';
+import { motionMoves, movesInSlices, postureAt } from '../../../src/model/program/motionPlan.js';
+import { planRequest } from '../../../src/model/program/planRequest.js';
 import { READY_PROGRAMS } from '../../../src/model/program/readyPrograms.js';
 import { readySteps } from '../../helpers/readySteps.js';
 import { validateDocument } from '../../../src/model/validate.js';
+import { answerPlanQuestion } from '../../../src/motion/planQuestion.js';
 import { READY_WORDS } from '../../../src/ui/words/ready.js';
 
 /** @typedef {import('../../../src/model/document.js').Doc} Doc */
@@ -153,22 +157,27 @@ test('what neither the robot nor the program says is assumed, and named; what th
   ]);
 });
 
-test('a plan is made once for as long as document, program and beginning are the same', () => {
-  const plans = createMotionPlans();
-  const doc = withSteps(puma, joint({ kind: 'posture', values: [1, 2, 3, 4, 5, 6] }));
-  const plan = plans(doc, doc.motionPrograms[0]);
-  expect(plan?.duration).toBeGreaterThan(0);
-  expect(plans(doc, doc.motionPrograms[0])).toBe(plan);
+test('are found posture by posture, so that nobody waits for more than one', () => {
+  const poses = Array.from({ length: 9 }, (_, i) => ({ ...place, xyz: /** @type {const} */ ([500, -150 + i, 300]) }));
+  const doc = withSteps(puma, ...poses.slice(0, 5).map(line), ...poses.slice(5).map(joint));
+  const run = movesInSlices(doc, doc.motionPrograms[0], doc.posture);
+  const shares = [];
+  let turn = run.next();
+  for (; !turn.done; turn = run.next()) shares.push(turn.value);
+  expect(shares).toEqual([0, 1, 2, 3, 4, 5, 5, 5, 5, 5, 5, 6, 7, 8].map((done) => done / 9)); // at the sixth where the lines lead
+  expect(turn.value).toEqual(movesOf(doc));
 });
 
 test.each(['puma560', 'ur5', 'planar2r'])('ready programs for %s are sound, and can be run', (id) => {
   const doc = newDocument(LIBRARY[id]);
-  const plans = createMotionPlans();
   for (const ready of READY_PROGRAMS.filter((_, i) => id === 'puma560' || i < 2 || i > 4)) {
     const steps = readySteps(doc, ready, READY_WORDS.comments);
     expect(steps, ready).not.toBeNull();
     const made = withSteps(doc, ...(steps ?? []).map((step) => /** @type {StepDoc} */ ({ ...step, id: 's' })));
-    expect(plans(made, made.motionPrograms[0])?.refused, ready).toBe(null);
+    const question = { doc: made, program: made.motionPrograms[0], start: made.posture };
+    const { request, issues } = atOnce(planRequest(question, compileRobot(made.robot)));
+    expect(issues, ready).toEqual([]);
+    expect(answerPlanQuestion(request).refused, ready).toBe(null);
   }
 });
 

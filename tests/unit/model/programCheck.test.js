@@ -3,6 +3,7 @@ import { expect, test } from 'vitest';
 import { compilePosture } from '../../../src/model/compile.js';
 import { createDerived } from '../../../src/model/derived.js';
 import { LIBRARY, newDocument } from '../../../src/model/library.js';
+import { atOnce } from '../../../src/model/inSlices.js';
 import { planRequest } from '../../../src/model/program/planRequest.js';
 import { questionNow } from '../../../src/model/program/planning.js';
 import { reduce, startState } from '../../../src/model/session.js';
@@ -57,7 +58,7 @@ function start() {
 function planned(state) {
   const question = questionNow(state);
   if (!question) throw new Error('There is a program.');
-  const { request, issues, ...rest } = planRequest(question, derived.chain(state.doc));
+  const { request, issues, ...rest } = atOnce(planRequest(question, derived.chain(state.doc)));
   expect(issues).toEqual([]);
   const planning = {
     ...{ question, progress: null, series: null, issues, isGivenUp: false },

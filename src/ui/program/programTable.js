@@ -226,11 +226,32 @@ function createRow(page, reasons, first, index, now, program) {
     h('td', { class: 'step-speed' }, editor && h('span', { class: 'step-number' }, editor.input, unit)),
     end,
   );
+  let written = '';
   /** @param {Doc} doc @param {StepDoc} step @param {'alone' | 'together' | null} choice @param {string | null} fault @param {string | null} touch */
   function refresh(doc, step, choice, fault, touch) {
     const { units } = doc.robot;
     const text = stepText(doc, step);
     const comment = 'comment' in step ? step.comment : undefined;
+    const ending = isMove(step) ? endText(step.ending, units) : '';
+    const speedUnit = isMove(step) ? step.speedUnit : null; // that of lengths and angles goes with the shape of the table
+    const now = JSON.stringify([text, comment, ending, speedUnit, choice, step.disabled, fault, touch]);
+    if (now !== written) {
+      written = now; // of hundreds of rows only those are laid out anew that say something else
+      write(step, text, comment, choice, fault, touch);
+      end.textContent = ending;
+      unit.textContent = speedUnit ? speedUnitText(speedUnit, units) : 's';
+      const label = speedUnit
+        ? PROGRAM.speedOf(index + 1, speedUnitInWords(speedUnit, units))
+        : PROGRAM.secondsOf(index + 1);
+      editor?.input.setAttribute('aria-label', label);
+    }
+    editor?.refresh();
+  }
+  /**
+   * @param {StepDoc} step @param {string} text @param {string | undefined} comment @param {'alone' | 'together' | null} choice
+   * @param {string | null} fault @param {string | null} touch
+   */
+  function write(step, text, comment, choice, fault, touch) {
     const isNamed = isMove(step) && comment; // numbers say less than what somebody called them
     fill(
       name,
@@ -246,14 +267,6 @@ function createRow(page, reasons, first, index, now, program) {
     row.classList.toggle('is-chosen', choice !== null);
     row.classList.toggle('is-off', step.disabled === true);
     row.classList.toggle('has-fault', fault !== null);
-    unit.textContent = isMove(step) ? speedUnitText(step.speedUnit, units) : 's';
-    end.textContent = isMove(step) ? endText(step.ending, units) : '';
-    if (!editor) return;
-    const label = isMove(step)
-      ? PROGRAM.speedOf(index + 1, speedUnitInWords(step.speedUnit, units))
-      : PROGRAM.secondsOf(index + 1);
-    editor.input.setAttribute('aria-label', label);
-    editor.refresh();
   }
   /** @param {boolean} isCurrent */
   function setCurrent(isCurrent) {

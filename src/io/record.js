@@ -11,6 +11,7 @@ const isRecord = (/** @type {unknown} */ value) => typeof value === 'object' && 
  * @returns {unknown} undefined where the path leads nowhere
  */
 export function valueAt(record, path) {
+  if (!path.includes('.')) return record[path];
   /** @type {unknown} */
   let value = record;
   for (const key of path.split('.')) {
@@ -27,6 +28,10 @@ export function valueAt(record, path) {
  * @param {unknown} value
  */
 export function setAt(record, path, value) {
+  if (!path.includes('.')) {
+    record[path] = value;
+    return;
+  }
   const keys = path.split('.');
   const last = /** @type {string} */ (keys.pop());
   let holder = record;

@@ -6,6 +6,9 @@ const LONGEST = 80;
 /** Control, format (direction marks, zero width), surrogate and line-separating characters, and unusual blanks. */
 const UNSEEN = /[\p{Cc}\p{Cf}\p{Cs}\p{Zl}\p{Zp}]|(?! )\p{Zs}/gu;
 
+/** What nearly every text is, and is shown as it stands. */
+const PLAIN = /^[ -~]*$/;
+
 /**
  * @example
  * shownText('12,5') // → '12,5'
@@ -14,6 +17,7 @@ const UNSEEN = /[\p{Cc}\p{Cf}\p{Cs}\p{Zl}\p{Zp}]|(?! )\p{Zs}/gu;
  * @returns {string} at most 80 characters; a longer text ends in …
  */
 export function shownText(text) {
+  if (text.length <= LONGEST && PLAIN.test(text)) return text;
   const characters = Array.from(text.slice(0, 4 * LONGEST), visible);
   const cut = text.length > 4 * LONGEST || characters.join('').length > LONGEST;
   let shown = '';

@@ -112,6 +112,13 @@ const FIELDS = {
 };
 const KIND = oneOf(...Object.keys(FIELDS));
 
+/** The same with what every step has. @type {Map<unknown, { must: Record<string, Rule>, may: Record<string, Rule> }>} */
+const RULES = new Map();
+for (const [kind, [must, may]] of Object.entries(FIELDS)) {
+  const aside = kind === 'comment' ? null : { comment: TEXT };
+  RULES.set(kind, { must: { id: NAME, ...must }, may: { ...may, ...aside, disabled: FLAG } });
+}
+
 /**
  * @param {Doc} doc
  * @param {MotionProgramDoc} program  that is, or would be, one of the document's
@@ -132,15 +139,12 @@ export function* motionProgramFaults(doc, program, path) {
     const { kind, ...fields } = Object(step);
     const where = `${path}.steps.${i}`;
     const whose = `Step ${i + 1} of ${shown(name)}`;
-    const known = typeof kind === 'string' && Object.hasOwn(FIELDS, kind) ? FIELDS[kind] : null;
+    const known = RULES.get(kind);
     if (!known) {
       yield* faultsOf(whose, where, { kind }, { kind: KIND }, {}, doc);
       continue;
     }
-    const [must, may = {}] = known;
-    /** @type {Record<string, Rule>} */
-    const aside = kind === 'comment' ? { disabled: FLAG } : { comment: TEXT, disabled: FLAG };
-    yield* faultsOf(whose, where, fields, { id: NAME, ...must }, { ...may, ...aside }, doc);
+    yield* faultsOf(whose, where, fields, known.must, known.may, doc);
     if (ids.has(fields.id)) {
       yield issue(
         'id-taken',
@@ -157,19 +161,18 @@ export function* motionProgramFaults(doc, program, path) {
  * @param {Record<string, Rule>} must @param {Record<string, Rule>} may @param {Doc} doc
  */
 function* faultsOf(owner, path, fields, must, may, doc) {
-  const rules = { ...may, ...must };
-  for (const [name, [isSound, expected]] of Object.entries(rules)) {
-    const value = fields[name];
-    if (value === undefined && !Object.hasOwn(must, name)) continue;
-    if (isSound(value, doc)) continue;
-    const wanted = typeof expected === 'string' ? expected : expected(doc);
-    yield issue('step', `${path}.${name}`, `${owner} has ${shown(value)} as ${name}; expected ${wanted}.`);
+  for (const rules of [may, must]) {
+    for (const name in rules) {
+      const value = fields[name];
+      if (value === undefined && rules === may) continue;
+      const [isSound, expected] = rules[name];
+      if (isSound(value, doc)) continue;
+      const wanted = typeof expected === 'string' ? expected : expected(doc);
+      yield issue('step', `${path}.${name}`, `${owner} has ${shown(value)} as ${name}; expected ${wanted}.`);
+    }
   }
-  yield* unknownFields(
-    owner,
-    path,
-    Object.fromEntries(Object.entries(fields).filter(([name]) => !Object.hasOwn(rules, name))),
-  );
+  const isKnown = (/** @type {string} */ name) => Object.hasOwn(must, name) || Object.hasOwn(may, name);
+  yield* unknownFields(owner, path, Object.fromEntries(Object.entries(fields).filter(([name]) => !isKnown(name))));
 }
 
 /** @param {string} owner @param {string} path @param {Record<string, unknown>} rest */

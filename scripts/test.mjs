@@ -15,6 +15,8 @@ const ROOT = dirname(dirname(fileURLToPath(import.meta.url)));
 const INTENDED_MINUTES = 8;
 /** These make much that is soon thrown away: a larger nursery spares the collector a tenth of their time. */
 const NURSERY = '--max-semi-space-size=64';
+/** TypeScript 7, which takes a quarter of the time of 5; that stays for the lint and import rules, which ask it for trees. */
+const TYPES = 'node_modules/typescript-native/bin/tsc';
 
 /**
  * @param {string | undefined} noBrowser why the browser tests cannot run
@@ -23,7 +25,7 @@ const NURSERY = '--max-semi-space-size=64';
 const steps = (noBrowser) => [
   { name: 'build', command: ['node_modules/vite/bin/vite.js', 'build', '--logLevel', 'warn'] },
   { name: 'size', command: ['scripts/size.mjs'], needs: 'build', summary: /^First load .*$/m },
-  { name: 'types', lane: 'code', command: [NURSERY, 'node_modules/typescript/bin/tsc', '-p', '.'] },
+  { name: 'types', lane: 'code', command: [TYPES, '-p', '.', '--singleThreaded'] },
   { name: 'lint', lane: 'code', command: [NURSERY, 'node_modules/eslint/bin/eslint.js', '.', '--max-warnings', '0'] },
   { name: 'format', lane: 'code', command: [NURSERY, 'node_modules/prettier/bin/prettier.cjs', '--check', '.'] },
   {

@@ -2,6 +2,11 @@
 
 /** @type {readonly (readonly [RegExp, string])[]} */
 const LATEX = [
+  // one number, not a product: the power of ten would be rounded, and what it is multiplied with again
+  [
+    /(^\W*|[\w)}]\s+[-+]\s*)(\d+(?:[.,]\d+)?)\s*\\(?:cdot|times)\s*10\s*\^\s*(?:\{\s*([-+]?\d+)\s*\}|(\d))/g,
+    '$1$2e$3$4',
+  ],
   [/\\(left|right|displaystyle|mathrm|mathit|mathbf|text|textbf|rm|bm|boldsymbol)(?![A-Za-z])/g, ''],
   [/\\[,;:! ]|~|\\q?quad(?![A-Za-z])/g, ' '],
   [/\^\s*\{?\s*\\circ\s*\}?|\\degree(?![A-Za-z])|\\textdegree(?![A-Za-z])|&deg;/g, '°'],

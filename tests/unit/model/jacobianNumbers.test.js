@@ -111,9 +111,15 @@ test('in every frame, both Jacobians are what the oracle’s forward kinematics 
         const view = { ...FIRST_JACOBIAN, frame, quotient: /** @type {'poses' | 'kernel'} */ (quotient) };
         const { geometric, numeric } = jacobiansAt(chain, q, { ...view, method: 'central' }, USER);
         const size = sizeOf(description);
-        // A slide's step is a part of the arm's length: next to nothing for an arm of a nanometre, and then rounding counts.
-        const [x, y, z] = oracleForward(description, [...q]).tcp.map((row) => row[3]);
-        const rounding = (1e-15 * Math.hypot(x, y, z)) / (1e-5 * chain.characteristicLength);
+        // A slide's step is a part of the arm's length: next to nothing for an arm of a nanometre, and then rounding counts,
+        // of the farthest place on the way to the tool, which slides may have come back from.
+        const { base, tool, joints } = description;
+        const ways = [
+          ...[base, tool].map((T) => (T ? Math.hypot(T[12], T[13], T[14]) : 0)),
+          ...joints.map(({ a, d, type }, k) => Math.hypot(a, d) + (type === 'prismatic' ? Math.abs(q[k]) : 0)),
+        ];
+        const far = ways.reduce((sum, way) => sum + way);
+        const rounding = (1e-15 * far) / (1e-5 * chain.characteristicLength);
         byOracle(description, [...q], frame)
           .flat()
           .forEach((value, i) => {

@@ -32,16 +32,28 @@ export const UNKNOWN = plain('UNKNOWN');
 /** Of a routine that gives no value. */
 export const NOTHING = plain('NOTHING');
 
+const OPAQUE =
+  'GROUP_ASSOC COMMON_ASSOC CAM_SETUP MODEL VIS_PROCESS QUEUE_TYPE DISP_DAT_T COL_DESC_T XWORK_T AXISPOS'.split(' ');
+export const OPAQUE_TYPES = new Set(OPAQUE);
+
+/** What a node of a PATH is where nobody says more. Of its fields public programs confirm NODE_POS; the others are not verified. @type {Type} */
+const STD_PTH_NODE = {
+  kind: 'STRUCTURE',
+  name: 'STD_PTH_NODE',
+  fields: new Map([
+    ['NODE_POS', POSITION],
+    ['GROUP_DATA', { kind: 'OPAQUE', name: 'GROUP_ASSOC' }],
+    ['COMMON_DATA', { kind: 'OPAQUE', name: 'COMMON_ASSOC' }],
+  ]),
+};
+
 /** @type {Readonly<Record<string, Type>>} */
 export const NAMED_TYPES = {
   ...{ INTEGER, REAL, BOOLEAN, STRING, VECTOR, CONFIG, POSITION, XYZWPR, XYZWPREXT, JOINTPOS, FILE },
   ...{ BYTE: plain('BYTE'), SHORT: plain('SHORT'), PATH: { kind: 'PATH', node: null, header: null } },
+  STD_PTH_NODE,
   ...Object.fromEntries(Array.from({ length: 9 }, (_, i) => [`JOINTPOS${i + 1}`, JOINTPOS])),
 };
-
-const OPAQUE =
-  'GROUP_ASSOC COMMON_ASSOC CAM_SETUP MODEL VIS_PROCESS QUEUE_TYPE DISP_DAT_T COL_DESC_T XWORK_T AXISPOS'.split(' ');
-export const OPAQUE_TYPES = new Set(OPAQUE);
 
 const POSITIONS = new Set(['POSITION', 'XYZWPR', 'XYZWPREXT', 'JOINTPOS']);
 

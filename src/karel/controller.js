@@ -13,7 +13,9 @@
  * @typedef {Omit<Outcome, 'state'> & { program: string, state: State | TpState | null }} ControllerOutcome
  */
 import { createMachine, linkKarel, runTurns } from './interpreter.js';
-import { handOver, levelAt, memoryOf, nextLevel, passTurn, share, turnsOf } from './controllerTurns.js';
+import { endThread, groupFor, refuseGroup, taskAt, taskOnController } from './controllerTasks.js';
+import { handOver, isAtEnd, levelAt, memoryOf, nextLevel, passTurn, share, turnsOf } from './controllerTurns.js';
+import { freeGroup } from './run/arm.js';
 import { finishMotion, SCAN, waitUntil } from './run/machine.js';
 import { copiedState } from './run/values.js';
 import { createTpMachine, runTpTurns } from './tp/interpreter.js';
@@ -31,9 +33,13 @@ export function createController(start, programs, host = {}, linked = new Map())
   const controller = {
     ...{
       programs,
-      host: { ...host, programs: programs.karel, ...lookingOnce(host) },
+      host: {
+        ...{ ...host, programs: programs.karel, ...lookingOnce(host) },
+        taskNamed: (/** @type {string} */ name) => taskOnController(controller, name),
+      },
       threads: [],
       globals: {},
+      idle: new Map(),
       refusal: null,
     },
     ...{ turn: FIRST, last: FIRST, told: FIRST, linked },
@@ -60,18 +66,17 @@ function lookingOnce({ onScan }) {
 export function* goOn(controller) {
   /** @type {Map<Level, ReturnType<typeof runTurns> | ReturnType<typeof runTpTurns>>} */
   const going = new Map();
-  /** Who has nothing to do, and until when. @type {Map<Level, Idle>} */
-  const idle = new Map();
   const { host, threads } = controller;
+  const idle = (controller.idle = new Map());
   while (true) {
     const { refusal } = controller;
     if (refusal) return { ...refusal, state: memoryOf(controller) };
-    if (threads.every(({ isOver }) => isOver) || (host.endsWithFirst && threads[0].isOver)) {
+    if (isAtEnd(controller) || (host.endsWithFirst && threads[0].isOver)) {
       share(controller, FIRST);
       yield* finishMotion(memoryOf(controller), threads[0].levels[0].name);
       return { status: 'ended', program: threads[0].levels[0].name, state: memoryOf(controller) };
     }
-    const level = nextLevel(controller, idle);
+    const level = nextLevel(controller);
     if (!level) {
       const waiting = turnsOf(controller).map((turn) => levelAt(controller, turn));
       const until = (/** @type {Level} */ one) => idle.get(one)?.until ?? Infinity;
@@ -88,6 +93,8 @@ export function* goOn(controller) {
     if (!run)
       going.set(level, (run = level.language === 'karel' ? runTurns(level.machine) : runTpTurns(level.machine)));
     const next = run.next();
+    /** @type {Omit<Outcome, 'state'> | null} */
+    let ended = next.done ? next.value : null;
     if (!next.done) {
       const effect = next.value;
       if (effect.kind === 'idle') idle.set(level, /** @type {Idle} */ (effect));
@@ -95,31 +102,40 @@ export function* goOn(controller) {
       if (effect.kind === 'idle' || (effect.kind === 'turn' && !host.traceSteps)) continue;
       if (effect.kind !== 'turn') {
         controller.told = controller.turn;
-        if (isBegun(effect, controller)) continue;
+        const begun = begin(effect, controller);
+        if (begun === true) continue;
+        const alarm = begun && refuseGroup(controller, begun, Number(effect.line));
+        if (begun && !alarm) continue;
+        if (alarm) ended = { status: 'alarm', alarm };
       }
-      yield { ...effect, in: level.name };
-      continue;
+      if (!ended) {
+        yield { ...effect, in: level.name };
+        continue;
+      }
     }
+    if (!ended) continue;
     going.delete(level);
     const { turn } = controller;
     const thread = threads[turn.thread];
-    const { status, alarm } = next.value;
+    const { status, alarm } = ended;
     const isOwn = turn.thread === 0 || thread.levels[0].caller !== null;
-    if (status === 'budget' || (status !== 'ended' && isOwn)) return { ...next.value, program: level.name };
+    if (status === 'budget' || (status !== 'ended' && isOwn))
+      return { ...ended, state: level.machine.state, program: level.name };
     if (status === 'ended') idle.delete(release(level, controller));
+    if (level.hasTaken) freeGroup(memoryOf(controller).arm, String(level.machine.state.task));
     if (status === 'ended' && thread.levels.length > 1) {
       const caller = { thread: turn.thread, level: turn.level - 1 };
       share(controller, caller);
       thread.levels.pop();
       controller.turn = controller.told = caller;
-    } else thread.isOver = true;
+    } else endThread(controller, thread, status !== 'ended');
     if (thread.isOver) passTurn(controller);
     if (alarm) yield { kind: 'alarm', task: level.name, line: alarm.line, alarm, in: level.name };
   }
 }
 
-/** A call, or a program that is to run beside: begun, if it is here. @param {Effect} effect @param {Controller} controller @returns {boolean} */
-function isBegun(effect, controller) {
+/** A call, or a program that is to run beside: begun, if it is here. @param {Effect} effect @param {Controller} controller @returns {boolean | string} why a controller begins nothing */
+function begin(effect, controller) {
   if (effect.kind !== 'call' && effect.kind !== 'run-task') return false;
   const { threads, turn } = controller;
   const name = String(effect.program).toUpperCase();
@@ -132,7 +148,11 @@ function isBegun(effect, controller) {
   }
   const level = levelFor(name, /** @type {Value[]} */ (effect.args ?? []), controller);
   if (!level) return false;
+  const group = groupFor(controller, effect, name);
+  if ('reason' in group) return group.reason;
   handOver(memoryOf(controller), level.machine.state);
+  level.machine.state.task = effect.kind === 'call' ? taskAt(controller) : level.language === 'tp' ? name : undefined;
+  level.hasTaken = effect.kind === 'call' && group.isTaken;
   if (effect.kind === 'call') level.caller = callerAt(controller);
   const { levels } = threads[turn.thread];
   const isTop = turn.level === levels.length - 1;
@@ -187,12 +207,12 @@ export function restoreController(controller, saved) {
   Object.assign(controller, { globals, refusal: null, turn, last: turn, told });
   const restored = threads.map(({ levels, isOver }) => ({
     isOver,
-    levels: levels.map(({ name, language, state, caller }) => {
+    levels: levels.map(({ name, language, state, caller, isPaused, hasTaken }) => {
       const level = levelFor(name, [], controller);
       if (!level || level.language !== language)
         throw new RangeError(`Expected a state of these programs, got one of "${name}".`);
       level.machine.state = /** @type {State & TpState} */ (state);
-      return Object.assign(level, { caller });
+      return Object.assign(level, { caller, isPaused, hasTaken });
     }),
   }));
   controller.threads.splice(0, Infinity, ...restored);

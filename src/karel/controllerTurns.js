@@ -12,7 +12,7 @@
  * @typedef {{ thread: number, level: number }} Turn
  * @typedef {Turn & { task: number, depth: number }} Caller   of KAREL: a frame of one of its tasks
  * @typedef {{ language: 'karel', machine: Machine } | { language: 'tp', machine: TpMachine }} Run
- * @typedef {Run & { name: string, caller: Caller | null }} Level
+ * @typedef {Run & { name: string, caller: Caller | null, isPaused?: boolean, hasTaken?: boolean }} Level   hasTaken: the motion group, until it ends
  * @typedef {{ levels: Level[], isOver: boolean }} Thread   levels: who runs, last, and who waits for whom
  *
  * @typedef {object} Controller
@@ -22,6 +22,7 @@
  * @property {Turn} turn         whose turn it is
  * @property {Turn} last         who ran last: its memory is the controller's
  * @property {Turn} told         who had an effect last
+ * @property {Map<Level, Idle>} idle   who has nothing to do, and until when
  * @property {Record<string, Value[][]>} globals   what variables of KAREL programs hold between their runs
  * @property {Map<string, Linker>} linked   KAREL programs that have run
  * @property {(Outcome & { program: string }) | null} refusal   of a program that cannot run
@@ -48,7 +49,9 @@ export const turnsOf = ({ threads }) =>
   threads.flatMap(({ levels, isOver }, thread) =>
     isOver
       ? []
-      : levels.flatMap((one, level) => (level === levels.length - 1 || isBusy(one) ? [{ thread, level }] : [])),
+      : levels.flatMap((one, level) =>
+          !one.isPaused && (level === levels.length - 1 || isBusy(one)) ? [{ thread, level }] : [],
+        ),
   );
 
 /** Whether a KAREL program that waits for what it called has other tasks, or something to watch. @param {Level} level */
@@ -60,8 +63,9 @@ const isBusy = ({ language, machine }) =>
 /** @param {Turn} a @param {Turn} b */
 const inOrder = (a, b) => a.thread - b.thread || a.level - b.level;
 
-/** Whoever can go on, from the one whose turn it is. @param {Controller} controller @param {ReadonlyMap<Level, Idle>} idle @returns {Level | null} */
-export function nextLevel(controller, idle) {
+/** Whoever can go on, from the one whose turn it is. @param {Controller} controller @returns {Level | null} */
+export function nextLevel(controller) {
+  const { idle } = controller;
   const turns = turnsOf(controller);
   const from = turns.findIndex((one) => inOrder(one, controller.turn) >= 0);
   for (let i = 0; i < turns.length; i++) {
@@ -72,6 +76,20 @@ export function nextLevel(controller, idle) {
     return level;
   }
   return null;
+}
+
+/** Whether nobody goes on any more: all is over, or paused for good. @param {Controller} controller */
+export const isAtEnd = (controller) =>
+  turnsOf(controller).length === 0 || controller.threads.every(({ levels, isOver }) => isOver || levels.every(isStill));
+
+/** @param {Level} level */
+function isStill({ language, machine, isPaused }) {
+  if (isPaused || language === 'tp') return isPaused === true;
+  const { tasks } = machine.state;
+  return (
+    tasks.some(({ status }) => status === 'paused') &&
+    tasks.every(({ status, wake, fault }) => !fault && (status !== 'running' || wake === Infinity))
+  );
 }
 
 /** @param {Controller} controller */

@@ -23,7 +23,7 @@ import { Alarm, copiedState } from './run/values.js';
 import { link } from './run/link.js';
 import { firstGlobals } from './run/programs.js';
 import { firstSystem } from './run/systemVariables.js';
-import { abortTask } from './run/endings.js';
+import { abortTask, endTask } from './run/endings.js';
 import { newTask, nextTask } from './run/tasks.js';
 import { newArm } from './run/arm.js';
 import { scanHandlers } from './run/occurrences.js';
@@ -52,6 +52,11 @@ export const linkKarel = (tree, host = {}) =>
     host,
   );
 
+/** Whether a program has the motion group from its beginning. @param {Program | Fragment} tree */
+export const hasGroup = (tree) =>
+  tree.kind !== 'program' ||
+  !tree.declarations.some((one) => one.kind === 'directive' && one.name.toUpperCase() === 'NOLOCKGROUP');
+
 /** A machine that is about to begin. @param {Program | Fragment} tree @param {Host} [host] @param {ReturnType<typeof linkKarel>} [linker] */
 export function createMachine(tree, host = {}, linker = linkKarel(tree, host)) {
   const { image } = linker;
@@ -65,7 +70,7 @@ export function createMachine(tree, host = {}, linker = linkKarel(tree, host)) {
     files: Object.fromEntries(Object.entries(host.files ?? {}).map(([name, text]) => [name.toUpperCase(), text])),
     input: [...(host.input ?? [])],
     args: [],
-    ...{ semaphores: {}, system: firstSystem(), timers: [], pulses: [], arm: newArm() },
+    ...{ semaphores: {}, system: firstSystem(), timers: [], pulses: [], arm: newArm(hasGroup(tree) ? main : null) },
   };
   /** @type {Machine} */
   const machine = { image, linker, state, host, effect: null, globals: state.globals[0] };
@@ -122,7 +127,9 @@ export function* runTurns(machine) {
       continue;
     }
     const wakes = state.tasks.flatMap(({ status, wake }) => (status === 'running' ? [wake] : []));
-    if (wakes.length === 0) return { status: state.tasks[0].isAborted ? 'aborted' : 'ended', state };
+    // another program of the controller may let it go on
+    const isPaused = machine.host.taskNamed !== undefined && state.tasks.some(({ status }) => status === 'paused');
+    if (wakes.length === 0 && !isPaused) return { status: state.tasks[0].isAborted ? 'aborted' : 'ended', state };
     yield { kind: 'idle', until: Math.min(...wakes, state.nextScan), line: currentLine(machine) };
   }
 }
@@ -136,7 +143,7 @@ function runTurn(machine, most) {
     machine.effect = null;
     if (how === 'slice') return { kind: 'turn', line: currentLine(machine) };
     if (how !== 'over') return effect;
-    task.status = 'ended';
+    endTask(machine, machine.state.current);
     return null;
   } catch (alarm) {
     if (!(alarm instanceof Alarm)) throw alarm;

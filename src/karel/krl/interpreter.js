@@ -88,7 +88,7 @@ export function* runKrlMachine(machine) {
         if (node.motion !== 'PTP' && !state.isPlaced) return alarm('first-motion', 'the first motion has to be PTP');
         state.isPlaced = true;
         pass(state);
-        beginMotion(state.arm, { ...effect, line }, state.time);
+        beginMotion(state.arm, { ...effect, line }, state.time, name);
         yield { ...effect, line, program: name };
         continue;
       }

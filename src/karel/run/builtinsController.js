@@ -211,9 +211,6 @@ export const CONTROLLER = {
   J_IN_RANGE: ([joints], machine) => areInRange(numbers(joints), machine),
   CURJPOS: (_, { host }) => [...(host.joints?.() ?? [0, 0, 0, 0, 0, 0])],
   CURPOS: (_, { host }) => [...(host.position?.() ?? [0, 0, 0, 0, 0, 0]), 0, 0, 0, 0].slice(0, 10),
-  MOTION_CTL: () => true,
-  LOCK_GROUP: taken('LOCK_GROUP', 1),
-  UNLOCK_GROUP: taken('UNLOCK_GROUP', 1),
   CLEAR_SEMA: ([index], { state }) => void (state.semaphores[number(index)] = 0),
   POST_SEMA: ([index], { state }) =>
     void (state.semaphores[number(index)] = (state.semaphores[number(index)] ?? 0) + 1),

@@ -50,6 +50,7 @@
  * @property {Value[][]} globals      by program
  * @property {Task[]} tasks
  * @property {number} current         the task that runs
+ * @property {string} [task]          the task that the first one is part of: it was called by another program
  * @property {Handler[]} handlers
  * @property {Record<string, Record<string, Value>>} ports
  * @property {Record<string, Value>} registers
@@ -85,6 +86,15 @@
  * @property {Effect | null} effect     set by an instruction that has one
  * @property {Value[]} globals          of the program that runs
  *
+ * @typedef {object} OtherTask   that runs elsewhere on the controller
+ * @property {string} name
+ * @property {number} number
+ * @property {Task['status']} status
+ * @property {number} line
+ * @property {string} program
+ * @property {string} routine
+ * @property {(status: Task['status']) => void} become
+ *
  * @typedef {object} Kinematics   of the arm, in the frame and with the tool that $UFRAME and $UTOOL say
  * @property {(joints: readonly number[], system: State['system']) => readonly number[]} toPosition  x y z w p r and the configuration
  * @property {(position: readonly number[], system: State['system'], near?: readonly number[]) => readonly number[] | null} toJoints
@@ -105,6 +115,7 @@
  * @property {Kinematics} [kinematics]
  * @property {(joints: readonly number[]) => boolean} [isInRange]  whether all are within their limits; pendant values
  * @property {(state: State) => void} [onScan]                inputs may change here
+ * @property {(name: string) => OtherTask | null} [taskNamed]  a task of another program
  */
 import { advanceArm, nextOfArm } from './arm.js';
 import { Alarm } from './values.js';

@@ -1,6 +1,7 @@
 /**
  * MOVE: an effect with what is wanted; whoever has the arm moves it, and says how long that takes. One motion is under way at a
- * time: the next waits for its end, as does the task that asked for it, unless it said NOWAIT. What NEAR, AWAY and the others
+ * time: the next waits for its end, as does the task that asked for it, unless it said NOWAIT. A task that moves the arm has the
+ * motion group from then on, and no other may move it. What NEAR, AWAY and the others
  * mean in terms of the tool is not verified, and left to whoever has the arm.
  *
  * CANCEL ends the motion under way where it comes to rest, as UNTIL does. STOP keeps it: whoever waits for it waits on, others may
@@ -12,7 +13,8 @@
  * @import { Effect, Frame, Machine } from './machine.js'
  */
 import { expressionText } from '../expressionPrinter.js';
-import { advanceArm, beginMotion, controlMotion, isUnderWay, nextOfArm } from './arm.js';
+import { advanceArm, beginMotion, controlMotion, isUnderWay, needGroup, nextOfArm } from './arm.js';
+import { taskName } from './endings.js';
 import { compileExpression, compileReference } from './expressions.js';
 import { compileClauses } from './handlers.js';
 import { HALT, SCAN } from './machine.js';
@@ -56,6 +58,8 @@ export function compileMove({ target, settings = [], nowait, when = [], until = 
   compiler.emit((machine, frame) => {
     const { state } = machine;
     frame.pc = begin;
+    const task = taskName(state, state.current);
+    needGroup(state.arm, task);
     if (isWaiting(machine)) return HALT;
     /** @type {Effect} */
     const effect = {
@@ -68,7 +72,7 @@ export function compileMove({ target, settings = [], nowait, when = [], until = 
     if (place) effect.isJoint = isJoint;
     if (nowait) effect.nowait = true;
     machine.effect = effect;
-    const motion = beginMotion(state.arm, effect, state.time);
+    const motion = beginMotion(state.arm, effect, state.time, task);
     frame.locals[own] = motion;
     for (const handler of handlers) watchMotion(machine, handler, motion);
     frame.pc = begin + 1;

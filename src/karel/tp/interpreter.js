@@ -23,7 +23,7 @@ import { Alarm, copiedState } from '../run/values.js';
 import { evaluate, truthOf } from './run/evaluate.js';
 import { execute, frameFor, jump } from './run/execute.js';
 import { prepareTp } from './run/program.js';
-import { nameOf } from './tree.js';
+import { attributeOf, nameOf } from './tree.js';
 
 /** @param {TpListing} listing @param {Host} [host] @param {TpSetting} [setting] @returns {Generator<Effect, TpOutcome, unknown>} */
 export function* runTp(listing, host = {}, setting = {}) {
@@ -35,13 +35,17 @@ export function createTpMachine(listing, host = {}, { listings = {}, memory, arg
   const all = [...Object.entries(listings).map(([name, one]) => /** @type {const} */ ([name.toUpperCase(), one]))];
   const name = nameOf(listing);
   const codes = new Map([...all, /** @type {const} */ ([name, listing])].map(([key, one]) => [key, prepareTp(one)]));
-  return { codes, host, state: { ...(memory ?? emptyMemory()), frames: [frameFor(name, args)], nextScan: SCAN } };
+  const own = memory ?? emptyMemory(hasTpGroup(listing) ? name : null);
+  return { codes, host, state: { ...own, frames: [frameFor(name, args)], nextScan: SCAN, task: name } };
 }
 
-/** @returns {Memory} */
-const emptyMemory = () => ({
+/** Whether a program has the motion group from its beginning. @param {TpListing} listing */
+export const hasTpGroup = (listing) => !/^\s*\*/.test(attributeOf(listing, 'DEFAULT_GROUP') ?? '1');
+
+/** @param {string | null} holder  of the motion group @returns {Memory} */
+const emptyMemory = (holder) => ({
   ...{ time: 0, steps: 0, ports: {}, registers: {}, positionRegisters: {}, stringRegisters: {} },
-  ...{ system: {}, pulses: [], timers: [], arm: newArm() },
+  ...{ system: {}, pulses: [], timers: [], arm: newArm(holder) },
 });
 
 /** @param {TpMachine} machine */
@@ -137,8 +141,9 @@ function waitsUntil(machine, frame, code) {
   const isLook = scan(machine);
   const isMoving = frame.motion !== undefined && isUnderWay(state.arm, frame.motion);
   if (isMoving && isLook && code) watchSkip(machine, frame, code);
-  if (isMoving || (state.arm.motion && code?.lines[frame.at]?.instruction.kind === 'motion'))
-    return (frame.look = Math.min(nextOfArm(state.arm), state.nextScan));
+  const isNext =
+    code?.lines[frame.at]?.instruction.kind === 'motion' && (state.arm.holder ?? state.task) === state.task;
+  if (isMoving || (state.arm.motion && isNext)) return (frame.look = Math.min(nextOfArm(state.arm), state.nextScan));
   delete frame.motion;
   delete frame.look;
   return -Infinity;

@@ -15,8 +15,9 @@ import { cartesian, listing } from './tpListing.js';
 
 const POINTS = [cartesian(1, [500, 0, 0, 0, 0, 0]), cartesian(2, [600, 0, 0, 0, 0, 0])];
 const karel = (/** @type {string} */ text) => /** @type {Program} */ (parseKarel(text).tree);
-const tp = (/** @type {string} */ name, /** @type {readonly string[]} */ lines) =>
-  parseTp(listing(lines, POINTS, { name })).tree;
+const tp = (/** @type {string} */ name, /** @type {readonly string[]} */ lines, group = '1,*,*,*,*') =>
+  parseTp(listing(lines, POINTS, { name, group })).tree;
+const NO_GROUP = '*,*,*,*,*';
 const MOVE_TIME = 1000;
 
 /** Each move takes a second. @param {Controller} controller @param {ReturnType<typeof goOn>} [run] @param {(effect: Effect) => void} [told] @param {number} [time] */
@@ -98,9 +99,9 @@ END main
   ]);
 });
 
-test('RUN and RUN_TASK begin programs that have their turns; one motion at a time; an endless one holds nobody up', () => {
-  const side = tp('SIDE', ['  WAIT    .05(sec)', 'L P[2] 100mm/sec FINE   ', '  DO[2]=ON']);
-  const spin = tp('SPIN', ['  LBL[1]', '  R[9]=R[9]+1', '  IF DI[9]=OFF,JMP LBL[1]']);
+test('RUN and RUN_TASK begin programs that have their turns; an endless one holds nobody up', () => {
+  const side = tp('SIDE', ['  WAIT    .15(sec)', '  DO[2]=ON'], NO_GROUP);
+  const spin = tp('SPIN', ['  LBL[1]', '  R[9]=R[9]+1', '  IF DI[9]=OFF,JMP LBL[1]'], NO_GROUP);
   const lines = [
     '  R[9]=0',
     '  RUN SPIN',
@@ -112,19 +113,17 @@ test('RUN and RUN_TASK begin programs that have their turns; one motion at a tim
     '  WAIT DO[2]=ON',
   ];
   const tell = karel(
-    "PROGRAM tell\nVAR st : INTEGER\nBEGIN\n  WAIT FOR DOUT[1]\n  WRITE('moved', CR)\n  RUN_TASK('MAIN', 0, FALSE, FALSE, 0, st)\n  RUN_TASK('LAST', 0, FALSE, FALSE, 0, st)\nEND tell\n",
+    "PROGRAM tell\n%NOLOCKGROUP\nVAR st : INTEGER\nBEGIN\n  WAIT FOR DOUT[1]\n  WRITE('moved', CR)\n  RUN_TASK('MAIN', 0, FALSE, FALSE, 0, st)\n  IF st <> 0 THEN WRITE('already', CR); ENDIF\n  RUN_TASK('LAST', 0, FALSE, FALSE, 0, st)\nEND tell\n",
   );
-  const last = tp('LAST', ['  R[7]=7']);
+  const last = tp('LAST', ['  R[7]=7'], NO_GROUP);
   const programs = { karel: { tell }, listings: { MAIN: tp('MAIN', lines), SIDE: side, SPIN: spin, LAST: last } };
   const { told, effects, register } = ran('MAIN', programs, { endsWithFirst: true }, 100);
   expect(told.map((one) => one.replace(/\d+$/, (at) => String(Math.round(Number(at) / 50))))).toEqual([
     'MAIN move 0',
-    'SIDE move 2',
-    'TELL write 2',
+    ...['TELL write 2', 'TELL write 2'],
   ]);
   expect(effects.filter(({ kind }) => kind === 'run-task')).toMatchObject([
     { program: 'SIDE', runsAlready: true, in: 'MAIN' },
-    { program: 'MAIN', runsAlready: true, in: 'TELL' },
   ]);
   expect(register(7)).toBe(7);
   expect(register(9)).toBeGreaterThan(100);
@@ -141,17 +140,136 @@ BEGIN
 END main
 `);
   const caller = karel("PROGRAM caller\nROUTINE sub FROM sub\nBEGIN\n  sub\n  WRITE('called', CR)\nEND caller\n");
-  const listings = { BAD: tp('BAD', ['  R[1]=R[2]']), SUB: tp('SUB', ['  WAIT   1.00(sec)']) };
+  const listings = { BAD: tp('BAD', ['  R[1]=R[2]']), SUB: tp('SUB', ['  WAIT   1.00(sec)'], NO_GROUP) };
   const { told, effects } = ran('main', { karel: { main, caller }, listings });
   expect(effects).toContainEqual(expect.objectContaining({ kind: 'alarm', task: 'BAD', line: 12 }));
   expect(told).toEqual([expect.stringMatching(/^MAIN write 30\d$/), expect.stringMatching(/^MAIN write 100\d$/)]);
+});
+
+test('one task has the motion group: another that needs it is not begun, and one that moves without it stops', () => {
+  const side = tp('SIDE', ['L P[2] 100mm/sec FINE   ']);
+  const quiet = karel(`PROGRAM quiet
+%NOLOCKGROUP
+VAR st : INTEGER
+ p : XYZWPR
+BEGIN
+  DELAY 50
+  IF NOT MOTION_CTL(1) THEN WRITE('not mine', CR); ENDIF
+  RUN_TASK('SIDE', 1, FALSE, TRUE, 1, st)
+  IF st <> 0 THEN WRITE('refused', CR); ENDIF
+  LOCK_GROUP(1, st)
+  IF st <> 0 THEN WRITE('held', CR); ENDIF
+  DELAY 1500
+  LOCK_GROUP(1, st)
+  IF MOTION_CTL(1) THEN WRITE('mine', CR); ENDIF
+  UNLOCK_GROUP(1, st)
+  RUN_TASK('SIDE', 1, FALSE, TRUE, 1, st)
+  p = CURPOS(0, 0)
+  MOVE TO p
+END quiet
+`);
+  const lines = ['  RUN QUIET', 'L P[1] 100mm/sec FINE   '];
+  const programs = { karel: { quiet }, listings: { MAIN: tp('MAIN', lines), SIDE: side } };
+  const { effects, told } = ran('MAIN', programs);
+  expect(told.map((one) => one.replace(/\d+$/, ''))).toEqual([
+    ...['MAIN move ', 'QUIET write ', 'QUIET write ', 'QUIET write ', 'QUIET write ', 'SIDE move '],
+  ]);
+  expect(effects.filter(({ kind }) => kind === 'write').map(({ text }) => text)).toEqual([
+    ...['not mine\n', 'refused\n', 'held\n', 'mine\n'],
+  ]);
+  const alarm = { code: 'motion-group', reason: expect.stringContaining('SIDE holds the motion group') };
+  expect(effects).toContainEqual(
+    expect.objectContaining({ kind: 'alarm', task: 'QUIET', alarm: expect.objectContaining(alarm) }),
+  );
+
+  const refused = createController('MAIN', { listings: { MAIN: tp('MAIN', ['  RUN SIDE']), SIDE: side } });
+  const reason = expect.stringContaining('SIDE is to have the motion group, but MAIN holds');
+  expect(ended(refused).outcome).toMatchObject({ status: 'alarm', program: 'MAIN', alarm: { line: 12, reason } });
+});
+
+test('a TP program that runs beside is paused with its motion, goes on with it, and is aborted with it', () => {
+  const main = karel(`PROGRAM main
+%NOLOCKGROUP
+VAR st, no, i : INTEGER
+ name, t : STRING[20]
+ROUTINE tell(attribute : INTEGER)
+BEGIN
+  name = 'SIDE'
+  GET_TSK_INFO(name, no, attribute, i, t, st)
+END tell
+BEGIN
+  RUN_TASK('SIDE', 1, FALSE, TRUE, 1, st)
+  DELAY 300
+  tell(TSK_STATUS)
+  IF i = PG_RUNNING THEN WRITE('runs', CR); ENDIF
+  tell(TSK_PROGNAME)
+  WRITE(t, CR)
+  tell(TSK_LINENUM)
+  WRITE(i, CR)
+  PAUSE_TASK('SIDE', TRUE, TRUE, st)
+  DELAY 2000
+  tell(TSK_STATUS)
+  IF i = PG_PAUSED THEN WRITE('paused', CR); ENDIF
+  CONT_TASK('SIDE', st)
+  DELAY 1000
+  WRITE('second', CR)
+  ABORT_TASK('SIDE', TRUE, TRUE, st)
+  tell(TSK_STATUS)
+  IF i = PG_ABORTED THEN WRITE('aborted', CR); ENDIF
+  ABORT_TASK('NOBODY', TRUE, TRUE, st)
+  IF st <> 0 THEN WRITE('nobody', CR); ENDIF
+  LOCK_GROUP(1, st)
+  IF st = 0 THEN WRITE('free', CR); ENDIF
+END main
+`);
+  const sub = tp('SUB', ['L P[1] 100mm/sec FINE   ', 'L P[2] 100mm/sec FINE   ', '  R[1]=1']);
+  const listings = { SIDE: tp('SIDE', ['  CALL SUB', '  R[2]=1']), SUB: sub };
+  const { effects, memory, register } = ran('main', { karel: { main }, listings });
+  const text = effects.flatMap((one) => (one.kind === 'write' ? [String(one.text).trim()] : []));
+  expect(text).toEqual(['runs', 'SUB', '2', 'paused', 'second', 'aborted', 'nobody', 'free']);
+  // the first move takes a second; what it loses while it comes to rest it has gained when it is at its rate again
+  const moves = effects.filter(({ kind }) => kind === 'move').map(({ at }) => at);
+  expect(moves).toEqual([expect.closeTo(0, -1), expect.closeTo(3000, -1)]);
+  expect([register(1), register(2)]).toEqual([undefined, undefined]);
+  expect(memory.arm).toMatchObject({ motion: null, stopped: [] });
+  expect(memory.arm.last).toMatchObject({ number: 2, done: expect.closeTo(350, -1) });
+});
+
+test('what a task has called pauses, goes on and ends with it', () => {
+  const main = karel(
+    "PROGRAM main\nVAR st : INTEGER\nROUTINE sub FROM sub\nBEGIN\n  RUN_TASK('other', 0, FALSE, FALSE, 0, st)\n  sub\n  WRITE('never', CR)\nEND main\n",
+  );
+  const other = karel(`PROGRAM other
+VAR st : INTEGER
+BEGIN
+  DELAY 300
+  PAUSE_TASK('MAIN', TRUE, TRUE, st)
+  DELAY 1000
+  CONT_TASK('MAIN', st)
+  DELAY 500
+  ABORT_TASK('MAIN', TRUE, TRUE, st)
+  DELAY 200
+END other
+`);
+  const listings = { SUB: tp('SUB', ['L P[1] 100mm/sec FINE   ', '  R[1]=1']) };
+  const controller = createController('main', { karel: { main, other }, listings });
+  const { effects, outcome } = ended(controller);
+  expect(outcome.status).toBe('aborted');
+  expect(effects.filter(({ kind }) => kind === 'write')).toEqual([]);
+  expect(memoryOf(controller)).toMatchObject({
+    registers: {},
+    arm: { motion: null, holder: null, last: { done: expect.closeTo(850, -1) } },
+  });
 });
 
 test('whatever goes on at once: the same programs give the same, from any moment that is put back', () => {
   const statement = fc.constantFrom(
     ...['n = n + 1', 'DELAY 30', 'MOVE TO p', 'MOVE TO p NOWAIT', 'WRITE(n, CR)', 'STOP', 'RESUME', 'CANCEL', 'HOLD'],
     ...['UNHOLD', 'ENABLE CONDITION[1]', 'PULSE DOUT[1] FOR 50 NOWAIT', 'SIGNAL EVENT[1]', 'sub', 'UNHOLD; RESUME'],
+    ...['ABORT_TASK', 'PAUSE_TASK'].map((one) => `${one}('SIDE', TRUE, TRUE, st)`),
+    ...["PAUSE_TASK('MAIN', TRUE, TRUE, st)", "CONT_TASK('SIDE', st)", "CONT_TASK('MAIN', st)", 'UNLOCK_GROUP(1, st)'],
     ...['MOVE TO p,\n WHEN DOUT[1] DO\n n = n + 1\n UNTIL n > 4\n ENDMOVE', "RUN_TASK('SIDE', 0, FALSE, FALSE, 0, st)"],
+    "UNLOCK_GROUP(1, st); RUN_TASK('SIDE', 1, FALSE, TRUE, 1, st)",
   );
   const line = fc.constantFrom(
     ...[

@@ -7,7 +7,7 @@
  * @import { TpFrame, TpMachine } from './memory.js'
  * @import { TpCode } from './program.js'
  */
-import { beginMotion } from '../../run/arm.js';
+import { beginMotion, needGroup } from '../../run/arm.js';
 import { SCAN } from '../../run/machine.js';
 import { Alarm, copied, number, numbers, text } from '../../run/values.js';
 import { instructionText } from '../instructionText.js';
@@ -40,8 +40,9 @@ export function execute({ instruction: node, span }, machine, frame, code) {
       frame.at++;
       return null;
     case 'motion': {
+      needGroup(state.arm, state.task);
       const effect = moveEffect(node, machine, frame);
-      frame.motion = beginMotion(state.arm, { ...effect, line: span?.line ?? here + 1 }, state.time);
+      frame.motion = beginMotion(state.arm, { ...effect, line: span?.line ?? here + 1 }, state.time, state.task);
       frame.at++;
       return effect;
     }

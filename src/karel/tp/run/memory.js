@@ -20,7 +20,7 @@
  * @property {number} [look]                    when it looks at its motion again, ms
  *
  * @typedef {Pick<State, 'time' | 'steps' | 'ports' | 'registers' | 'positionRegisters' | 'stringRegisters' | 'system' | 'pulses' | 'timers' | 'arm'>} Memory
- * @typedef {Memory & { frames: TpFrame[], nextScan: number }} TpState
+ * @typedef {Memory & { frames: TpFrame[], nextScan: number, task: string }} TpState   task: which the program is part of
  *
  * @typedef {object} TpMachine
  * @property {ReadonlyMap<string, TpCode>} codes   by name in capitals

@@ -1,6 +1,6 @@
 /**
  * What a posture has to meet to lie on a critical curve, on a face of the box of joint values, and which way the curve goes on.
- * With the slide that the plane takes care of at a limit, what the free joints do to it counts as well, by a factor μ.
+ * With the joint that the plane takes care of at a limit, what the free joints do beside the plane counts as well, by a factor μ.
  *
  * @import { Face } from './criticalCurves.js'
  * @import { SectionMap } from './sectionMap.js'
@@ -23,7 +23,7 @@ const FLAT = 1e-5;
 const STANDING = 1e-6;
 
 /**
- * The conditions of one face, at unknowns y = (free arguments …, θ), and μ if the slide is held.
+ * The conditions of one face, at unknowns y = (free arguments …, θ), and μ if that joint is held.
  * @param {SectionMap} map
  * @param {Face} face
  */
@@ -37,11 +37,13 @@ export function createConditions(map, { free, x, held }) {
   const slopes = new Float64Array(m * (m + 1));
   const svd = createSvd(m, m + 1);
   const step = new Float64Array(m + 1);
+  const beside = new Float64Array(2);
 
   /** @param {Float64Array} y @param {Float64Array} out */
   const write = (y, out) => {
     free.forEach((k, i) => (place[k] = y[i]));
     map.write(place);
+    if (held !== undefined) map.writeBeside(held, beside);
     const { f, Jf, Jn } = map;
     const outward = map.kind === 'meridian' ? Math.max(f[0], 1e-12) : 1;
     const [c, s] = [Math.cos(y[n]), Math.sin(y[n])];
@@ -49,7 +51,7 @@ export function createConditions(map, { free, x, held }) {
       const k = free[i];
       out[i] = ((c * Jf[2 * k]) / outward + s * Jf[2 * k + 1] + (held === undefined ? 0 : y[m] * Jn[k])) / scale;
     }
-    if (held !== undefined) out[n] = (map.needed() - held) / scale;
+    if (held !== undefined) out[n] = beside[0] / scale;
   };
 
   /** The conditions and how they change, decomposed. @param {Float64Array} y @returns {number} the largest condition */
@@ -143,10 +145,10 @@ export function createConditions(map, { free, x, held }) {
     /** Whether the joint that the plane takes care of can be where it has to be. @param {Float64Array} y */
     isBrought(y) {
       write(y, values);
-      return map.isBrought();
+      return held === undefined ? map.isBrought() : beside[1] > 0;
     },
     /** The same with the normal as it is on the other side of the axis. @param {Float64Array} y @param {number} [half] */
-    mirrored: (y, half = Math.PI) => y.with(m, half - y[m]),
+    mirrored: (y, half = Math.PI) => y.with(n, half - y[n]),
     /** @param {Vertex} vertex @returns {Float64Array} */
     unknowns: ({ x: full }) => Float64Array.from([...free.map((k) => full[k]), ...full.subarray(x.length)]),
   };

@@ -17,8 +17,9 @@
  * @property {number[]} free
  * @property {Float64Array} x
  * @property {Fixed[]} fixed
- * @property {number} [held]  where the slide stands that the plane takes care of, if that is at a limit
+ * @property {number} [held]  where the joint stands that the plane takes care of, if that is at a limit
  */
+import { createRandom } from '../kinematics/random.js';
 import { contourPieces } from './contour.js';
 import { refined, vertexAt } from './traced.js';
 
@@ -31,6 +32,10 @@ const FINER = 24;
 
 /** Where a full turn begins and ends, rad from half a turn: not where arms are straight or folded, as it is there that contours run. */
 const SEAM = 0.7316;
+
+/** Postures of a face that are looked at, and how far beside the plane (m) is in it. */
+const LOOKS = 4;
+const IN_PLANE = 1e-9;
 
 /** So much closer do the latter look each time, so often at most. */
 const CLOSER = 8;
@@ -62,22 +67,37 @@ export function facesOf({ lower, upper, isClosed, free, placement }, freedom) {
 }
 
 /**
- * Likewise, with the slide that the plane takes care of at a limit.
+ * Those with places of the section all over them: where no joint takes care of the plane, faces that lie in it.
  * @param {SectionMap} map
  * @param {number} freedom
  * @returns {Face[]}
  */
-export function heldFaces(map, freedom) {
-  const { left, isAnyAngle, placement } = map;
-  if (left < 0 || isAnyAngle) return [];
-  const { ranges } = placement;
-  return /** @type {const} */ (['lower', 'upper']).flatMap((bound) =>
-    facesOf(map, freedom).map(({ fixed, ...face }) => ({
-      ...face,
-      fixed: [...fixed, { joint: ranges.joints[left], bound }],
-      held: ranges[bound][left],
-    })),
+export const innerFaces = (map, freedom) => facesOf(map, freedom).filter((face) => !map.isThin || isInPlane(map, face));
+
+/**
+ * Those with the joint that the plane takes care of at a limit; where there is none, with their places in the plane.
+ * @param {SectionMap} map
+ * @param {number} freedom
+ * @returns {Face[]}
+ */
+export const heldFaces = (map, freedom) =>
+  map.ends.flatMap(({ at, fixed }) =>
+    facesOf(map, freedom)
+      .filter((face) => !map.isThin || !isInPlane(map, face))
+      .map((face) => ({ ...face, fixed: [...face.fixed, ...fixed], held: at })),
   );
+
+/** Whether all places of a face lie in the plane. @param {SectionMap} map @param {Face} face */
+function isInPlane({ lower, upper, write, writeBeside }, { free, x: [...x] }) {
+  const random = createRandom(5);
+  const beside = new Float64Array(2);
+  for (let look = 0; look < LOOKS; look++) {
+    for (const k of free) x[k] = lower[k] + random() * (upper[k] - lower[k]);
+    write(x);
+    writeBeside(0, beside);
+    if (Math.abs(beside[0]) > IN_PLANE) return false;
+  }
+  return true;
 }
 
 /**
@@ -86,7 +106,7 @@ export function heldFaces(map, freedom) {
  * @param {Face[]} [faces]
  * @returns {Generator<Traced>}
  */
-export function* edges(map, tolerance, faces = facesOf(map, 1)) {
+export function* edges(map, tolerance, faces = innerFaces(map, 1)) {
   for (const { free, x, fixed } of faces) {
     const [i] = free;
     /** @param {Vertex} a @param {Vertex} b */
@@ -112,7 +132,7 @@ export function* edges(map, tolerance, faces = facesOf(map, 1)) {
  */
 export function* folds(map, tolerance) {
   const { Jf } = map;
-  for (const { free, x, fixed } of facesOf(map, 2)) {
+  for (const { free, x, fixed } of innerFaces(map, 2)) {
     const [a, b] = free;
     const place = x.slice();
     const determinant = (/** @type {number} */ p, /** @type {number} */ q) => {

@@ -16,7 +16,7 @@
  */
 import { createRandom } from '../kinematics/random.js';
 import { createConditions } from './criticalConditions.js';
-import { facesOf, heldFaces } from './criticalCurves.js';
+import { heldFaces, innerFaces } from './criticalCurves.js';
 import { flatFaces } from './flatFaces.js';
 import { Squares } from './squares.js';
 import { apart, refining } from './traced.js';
@@ -52,6 +52,11 @@ const HELD = 0.1;
 
 /** A posture whose place is the farthest of many along n = (cos θ, sin θ). @typedef {{ x: Float64Array, theta: number }} Farthest */
 
+/**
+ * One that is as near as can be to a place: the way that is missing is along n, and beside the plane by μ times as much.
+ * @typedef {Farthest & { mu: number, held: number | null }} FellShort  held: where the joint stands that the plane takes care of, if at a limit
+ */
+
 /** What has been traced, whatever the face. @typedef {Squares<[Vertex, Vertex]>} Drawn */
 
 /** Nothing yet. @param {number} tolerance @returns {Drawn} */
@@ -69,7 +74,7 @@ export function* criticalPostures(map, tolerance, seed, drawn, farthest) {
   const random = createRandom(seed);
   const { lower, upper } = map;
   for (let freedom = 2; freedom <= lower.length; freedom++) {
-    for (const face of freedom === 2 ? flatFaces(map) : [...facesOf(map, freedom), ...heldFaces(map, freedom)]) {
+    for (const face of freedom === 2 ? flatFaces(map) : [...innerFaces(map, freedom), ...heldFaces(map, freedom)]) {
       const own = face.held === undefined ? [] : [0];
       const tracer = createTracer(map, face, tolerance, drawn);
       for (let start = -farthest.length, idle = 0; start < STARTS && idle < PATIENCE; start++) {
@@ -96,18 +101,23 @@ export function* criticalPostures(map, tolerance, seed, drawn, farthest) {
  * @param {SectionMap} map
  * @param {number} tolerance
  * @param {Drawn} drawn  added to
- * @param {Farthest} from
+ * @param {FellShort} from
  * @returns {Generator<null, Traced[]>}  none, if it is drawn, or none of those that are looked for here
  */
-export function* criticalFrom(map, tolerance, drawn, { x, theta }) {
+export function* criticalFrom(map, tolerance, drawn, { x, theta, mu, held }) {
   const { lower, upper, isClosed } = map;
   const isFree = (/** @type {number} */ k) => isClosed[k] || (x[k] > lower[k] && x[k] < upper[k]);
   const free = Array.from(x.keys()).filter(isFree);
-  const face = facesOf(map, free.length).find(
-    (each) => each.free.every(isFree) && each.x.every((value, k) => isFree(k) || value === x[k]),
+  const faces = held === null ? innerFaces(map, free.length) : heldFaces(map, free.length);
+  const face = faces.find(
+    (each) =>
+      each.free.every(isFree) &&
+      each.x.every((value, k) => isFree(k) || value === x[k]) &&
+      (held === null || each.held === held),
   );
-  if (!face || free.length < 3) return [];
-  return yield* createTracer(map, face, tolerance, drawn)(Float64Array.from([...free.map((k) => x[k]), theta]));
+  if (!face || free.length < (held === null ? 3 : 2)) return [];
+  const own = held === null ? [] : [mu];
+  return yield* createTracer(map, face, tolerance, drawn)(Float64Array.from([...free.map((k) => x[k]), theta, ...own]));
 }
 
 /**

@@ -6,7 +6,7 @@
  * is a curve. If none was known it is followed from there, and all is looked at again. Where a curve's end met nothing the border
  * is closed by a line, which is the gap that is stated.
  *
- * @import { Drawn, Farthest } from './criticalPostures.js'
+ * @import { Drawn, FellShort } from './criticalPostures.js'
  * @import { GoTo } from './goneTo.js'
  * @import { Outline } from './outline.js'
  * @import { SectionMap } from './sectionMap.js'
@@ -22,6 +22,9 @@ import { outlinesBetween, reachedFields } from './reachedFields.js';
 
 /** So often it is looked again. */
 const ROUNDS = 4;
+
+/** Not nothing, m. */
+const TINY = 1e-9;
 
 /**
  * @param {SectionMap} map
@@ -46,10 +49,11 @@ export function* outlinesOfFields(map, curves, goTo, drawn, tolerance) {
     let part = arranging.next();
     for (; !part.done; part = arranging.next()) yield { stage: 'sides', share: 0 };
     const arrangement = part.value;
-    /** @type {(Farthest & { u: number, v: number })[]} */
+    /** @type {(FellShort & { u: number, v: number })[]} */
     const short = [];
-    const asking = reachedFields(arrangement, goTo, tolerance, (u, v, { x, ...at }) => {
-      short.push({ x, theta: Math.atan2(v - at.v, u - at.u), u: at.u, v: at.v });
+    const asking = reachedFields(arrangement, goTo, tolerance, (u, v, { x, beside, held, ...at }) => {
+      const [du, dv] = [u - at.u, v - at.v];
+      short.push({ x, theta: Math.atan2(dv, du), mu: beside / Math.max(TINY, Math.hypot(du, dv)), held, u: at.u, v: at.v });
     });
     let step = asking.next();
     for (; !step.done; step = asking.next()) {

@@ -5,7 +5,8 @@
  *
  * @import { Cells } from './cells.js'
  * @import { SectionOptions } from './section.js'
- * @import { Cut, SectionMap } from './sectionMap.js'
+ * @import { Cut } from './cut.js'
+ * @import { SectionMap } from './sectionMap.js'
  * @import { Chain } from '../kinematics/chain.js'
  *
  * @typedef {object} FirstSection
@@ -17,7 +18,8 @@
  */
 import { cross } from '../kinematics/lines.js';
 import { createSampler } from './sampler.js';
-import { createSectionMap, ownCut } from './sectionMap.js';
+import { ownCut } from './cut.js';
+import { createSectionMap } from './sectionMap.js';
 
 /** Postures, and cells along the longer side: each picture is finer than the one before. */
 const PICTURES = [
@@ -40,7 +42,7 @@ export function* firstSections(chain, options = {}) {
   const { withLimits = true, seed = 1 } = options;
   const cut = options.cut ?? ownCut(chain, withLimits);
   const map = cut && createSectionMap(chain, cut, withLimits);
-  if (!map) {
+  if (!map || map.isThin) {
     if (cut?.kind === 'plane') yield passingBy(chain, cut, withLimits, seed);
     return;
   }

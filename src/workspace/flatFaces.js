@@ -6,7 +6,7 @@
  * @import { SectionMap } from './sectionMap.js'
  */
 import { createRandom } from '../kinematics/random.js';
-import { facesOf } from './criticalCurves.js';
+import { innerFaces } from './criticalCurves.js';
 
 /** Postures of a face that are looked at, and how parallel (the sine) what its joints do has to be. */
 const LOOKS = 8;
@@ -17,7 +17,7 @@ export function flatFaces(map) {
   const { lower, upper, Jf, placement } = map;
   const random = createRandom(3);
   const least = PARALLEL * placement.chain.characteristicLength ** 2;
-  return facesOf(map, 2).filter(({ free, x: [...x] }) => {
+  return innerFaces(map, 2).filter(({ free, x: [...x] }) => {
     const [i, j] = free;
     for (let look = 0; look < LOOKS; look++) {
       for (const k of free) x[k] = lower[k] + random() * (upper[k] - lower[k]);

@@ -9,7 +9,8 @@
  * @import { SectionProgress } from './fieldOutlines.js'
  * @import { PlaceSolver } from './exactPlaces.js'
  * @import { Enclosed, Outline } from './outline.js'
- * @import { Cut, SectionMap } from './sectionMap.js'
+ * @import { Cut } from './cut.js'
+ * @import { SectionMap } from './sectionMap.js'
  * @import { Fixed, Traced, Vertex } from './traced.js'
  *
  * @typedef {object} SectionOptions
@@ -55,12 +56,14 @@ import { edges, folds, ownLimits } from './criticalCurves.js';
 import { addDrawn, criticalPostures, nothingDrawn } from './criticalPostures.js';
 import { createPlaceSolver } from './exactPlaces.js';
 import { createDescent } from './descent.js';
-import { createGoing, farthestOf, seenPostures } from './goneTo.js';
+import { createGoing } from './goneTo.js';
 import { outlinesOfFields } from './fieldOutlines.js';
 import { enclosed, onlyOnce, outlinesOf } from './outline.js';
 import { createSampler } from './sampler.js';
-import { createSectionMap, ownCut } from './sectionMap.js';
-import { atOnce } from './steps.js';
+import { ownCut } from './cut.js';
+import { createSectionMap } from './sectionMap.js';
+import { farthestOf, seenPostures } from './seenPostures.js';
+import { atOnce, saying } from './steps.js';
 import { sweptVolume } from './swept.js';
 
 /** A gap longer than so many tolerances says that a piece between two lookings was overlooked: then all are looked at closely. */
@@ -116,9 +119,6 @@ function* sectionWithin(chain, options) {
   if (!map) return null;
   const solve = map.free.length <= 2 ? createPlaceSolver(chain, withLimits, map.isAnyAngle ? map.left : -1) : null;
   const isReached = solve && reachedBy(solve, map);
-  // Postures that are found land on sections at any angle, in the plane of a planar arm, and where a slide brings them; elsewhere they
-  // pass by.
-  if (!isReached && !map.isAnyAngle && map.kind === 'meridian') return null;
 
   /** @type {Traced[]} */
   const curves = [];
@@ -143,10 +143,14 @@ function* sectionWithin(chain, options) {
     return { ...section, ...step.value };
   }
   const sampler = createSampler(chain, { withLimits, seed });
-  const seen = seenPostures(map, sampler);
+  const descent = createDescent(chain, withLimits, map.isAnyAngle ? map.left : -1);
+  const seen = yield* saying(
+    /** @type {SectionProgress} */ ({ stage: 'curves', share: 0 }),
+    seenPostures(map, sampler, descent),
+  );
   const drawn = nothingDrawn(tolerance);
   for (const curve of curves) addDrawn(drawn, curve);
-  for (const curve of criticalPostures(map, tolerance, seed, drawn, farthestOf(map, sampler, seen))) {
+  for (const curve of criticalPostures(map, tolerance, seed, drawn, farthestOf(seen))) {
     if (curve) curves.push(curve);
     yield { stage: 'curves', share: curves.length / (curves.length + FEW) };
   }
@@ -155,13 +159,7 @@ function* sectionWithin(chain, options) {
     curves.unshift(axis); // what runs along it is drawn as the axis
     addDrawn(drawn, axis);
   }
-  const goTo = createGoing(
-    map,
-    createDescent(chain, withLimits, map.isAnyAngle ? map.left : -1),
-    sampler,
-    seen,
-    tolerance / 100,
-  );
+  const goTo = createGoing(map, descent, seen, tolerance / 100);
   yield { stage: 'sides', share: 0 };
   const outlines = yield* outlinesOfFields(map, curves, goTo, drawn, tolerance);
   return sectionOf(map, curves, outlines, { cell, tolerance }, 'estimated');

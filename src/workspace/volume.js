@@ -34,7 +34,7 @@ import { createPlaceSolver } from './exactPlaces.js';
 import { FACINGS, facingOf, shareOfFacings } from './facings.js';
 import { orientationsWanted } from './orientationsWanted.js';
 import { createPlacement, writePlacement } from './placement.js';
-import { flatNormal } from './sectionMap.js';
+import { flatNormal } from './cut.js';
 import { createSampler } from './sampler.js';
 import { atOnce, saying } from './steps.js';
 import { AT_ONCE, copyOf, cubeAt, emptyVoxels, extentOf, measuring, middleOf } from './voxels.js';

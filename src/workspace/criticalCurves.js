@@ -10,6 +10,7 @@
  *
  * Faces of three and more free joints are those of criticalPostures.js.
  *
+ * @import { Point } from './contour.js'
  * @import { SectionMap } from './sectionMap.js'
  * @import { Fixed, Traced, Vertex } from './traced.js'
  *
@@ -36,6 +37,9 @@ const SEAM = 0.7316;
 /** Postures of a face that are looked at, and how far beside the plane (m) is in it. */
 const LOOKS = 4;
 const IN_PLANE = 1e-9;
+
+/** Where a contour ceases to count is looked for by so many halvings. */
+const HALVINGS = 40;
 
 /** So much closer do the latter look each time, so often at most. */
 const CLOSER = 8;
@@ -87,6 +91,24 @@ export const heldFaces = (map, freedom) =>
       .map((face) => ({ ...face, fixed: [...face.fixed, ...fixed], held: at })),
   );
 
+/**
+ * That on which a posture lies.
+ * @param {SectionMap} map
+ * @param {Float64Array} x
+ * @param {number | null} held  where the joint stands that the plane takes care of, if at a limit
+ * @returns {Face}
+ */
+export function faceAt({ lower, upper, isClosed, free, placement, ends }, x, held) {
+  /** @type {Face} */
+  const face = { free: [], x: x.slice(), fixed: [] };
+  for (let k = 0; k < lower.length; k++) {
+    if (isClosed[k] || (x[k] > lower[k] && x[k] < upper[k])) face.free.push(k);
+    else face.fixed.push({ joint: placement.ranges.joints[free[k]], bound: x[k] <= lower[k] ? 'lower' : 'upper' });
+  }
+  const end = ends.find(({ at }) => at === held);
+  return end ? { ...face, fixed: [...face.fixed, ...end.fixed], held: end.at } : face;
+}
+
 /** Whether all places of a face lie in the plane. @param {SectionMap} map @param {Face} face */
 function isInPlane({ lower, upper, write, writeBeside }, { free, x: [...x] }) {
   const random = createRandom(5);
@@ -128,7 +150,7 @@ export function* edges(map, tolerance, faces = innerFaces(map, 1)) {
 /**
  * @param {SectionMap} map
  * @param {number} tolerance
- * @returns {Generator<Traced>}
+ * @returns {Generator<Traced | null>}  null after each face
  */
 export function* folds(map, tolerance) {
   const { Jf } = map;
@@ -142,6 +164,7 @@ export function* folds(map, tolerance) {
       return Jf[2 * a] * Jf[2 * b + 1] - Jf[2 * a + 1] * Jf[2 * b];
     };
     yield* contours(map, { free, x, fixed, kind: 'singular', of: determinant, isThere: () => true }, tolerance);
+    yield null;
   }
 }
 
@@ -149,7 +172,7 @@ export function* folds(map, tolerance) {
  * Where the joint that the plane takes care of would stand at a limit of its own.
  * @param {SectionMap} map
  * @param {number} tolerance
- * @returns {Generator<Traced>}
+ * @returns {Generator<Traced | null>}  likewise
  */
 export function* ownLimits(map, tolerance) {
   const beside = new Float64Array(2);
@@ -165,6 +188,7 @@ export function* ownLimits(map, tolerance) {
     const of = (/** @type {number} */ p, /** @type {number} */ q) => (write(p, q), beside[0]);
     const isThere = (/** @type {number} */ p, /** @type {number} */ q) => (write(p, q), beside[1] > 0);
     yield* contours(map, { free, x, fixed, kind: 'limit', of, isThere }, tolerance);
+    yield null;
   }
 }
 
@@ -197,8 +221,7 @@ function* contours(map, { free: [a, b], x, fixed, kind, of, isThere }, tolerance
   for (let rectangle = rectangles.pop(); rectangle; rectangle = rectangles.pop()) {
     const { depth } = rectangle;
     const { pieces, between } = contourPieces(of, rectangle);
-    for (const piece of pieces) {
-      if (!piece.every(([p, q]) => isThere(p, q))) continue;
+    for (const piece of pieces.flatMap((each) => stretchesOf(each, isThere, between))) {
       const { runs, gaps } = refined(
         {
           kind,
@@ -228,4 +251,35 @@ function* contours(map, { free: [a, b], x, fixed, kind, of, isThere }, tolerance
       }
     }
   }
+}
+
+/**
+ * Parts of a contour that count, up to where that ends.
+ * @param {readonly Point[]} piece
+ * @param {(p: number, q: number) => boolean} isThere
+ * @param {(a: Point, b: Point) => Point | null} between
+ * @returns {Point[][]}
+ */
+function stretchesOf(piece, isThere, between) {
+  /** @type {Point[][]} */
+  const stretches = [];
+  /** The last that counts between one that does and one that does not. @param {Point} there @param {Point} beyond */
+  const lastBetween = (there, beyond) => {
+    for (let halving = 0; halving < HALVINGS; halving++) {
+      const middle = between(there, beyond);
+      if (!middle) break;
+      if (isThere(middle[0], middle[1])) there = middle;
+      else beyond = middle;
+    }
+    return there;
+  };
+  piece.forEach((point, k) => {
+    const before = k > 0 ? piece[k - 1] : null;
+    const wasThere = before !== null && isThere(before[0], before[1]);
+    if (!isThere(point[0], point[1])) {
+      if (wasThere) stretches[stretches.length - 1].push(lastBetween(before, point));
+    } else if (wasThere) stretches[stretches.length - 1].push(point);
+    else stretches.push(before ? [lastBetween(point, before), point] : [point]);
+  });
+  return stretches.filter(({ length }) => length > 1);
 }

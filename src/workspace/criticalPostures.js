@@ -16,7 +16,7 @@
  */
 import { createRandom } from '../kinematics/random.js';
 import { createConditions } from './criticalConditions.js';
-import { heldFaces, innerFaces } from './criticalCurves.js';
+import { faceAt, heldFaces, innerFaces } from './criticalCurves.js';
 import { flatFaces } from './flatFaces.js';
 import { Squares } from './squares.js';
 import { apart, refining } from './traced.js';
@@ -105,19 +105,11 @@ export function* criticalPostures(map, tolerance, seed, drawn, farthest) {
  * @returns {Generator<null, Traced[]>}  none, if it is drawn, or none of those that are looked for here
  */
 export function* criticalFrom(map, tolerance, drawn, { x, theta, mu, held }) {
-  const { lower, upper, isClosed } = map;
-  const isFree = (/** @type {number} */ k) => isClosed[k] || (x[k] > lower[k] && x[k] < upper[k]);
-  const free = Array.from(x.keys()).filter(isFree);
-  const faces = held === null ? innerFaces(map, free.length) : heldFaces(map, free.length);
-  const face = faces.find(
-    (each) =>
-      each.free.every(isFree) &&
-      each.x.every((value, k) => isFree(k) || value === x[k]) &&
-      (held === null || each.held === held),
-  );
-  if (!face || free.length < (held === null ? 3 : 2)) return [];
+  const face = faceAt(map, x, held);
+  if (face.free.length < (held === null ? 3 : 2)) return [];
   const own = held === null ? [] : [mu];
-  return yield* createTracer(map, face, tolerance, drawn)(Float64Array.from([...free.map((k) => x[k]), theta, ...own]));
+  const y = Float64Array.from([...face.free.map((k) => x[k]), theta, ...own]);
+  return yield* createTracer(map, face, tolerance, drawn)(y);
 }
 
 /**

@@ -4,14 +4,23 @@
  * @import { Chain } from '../kinematics/chain.js'
  * @import { Vector } from '../kinematics/lines.js'
  * @import { Placement } from './placement.js'
- * @import { SectionMap } from './sectionMap.js'
  *
  * @typedef {{ kind: 'meridian', angle: number | null } | { kind: 'plane', origin: Vector, u: Vector, v: Vector }} Cut
  *   angle: of the half-plane about the axis, rad, from the frame's x; null: all of them at once. origin, u, v: in the chain's
  *   root; u and v are unit vectors and square to each other
  *
- * @typedef {Pick<SectionMap, 'kind' | 'left' | 'origin' | 'across' | 'u' | 'v' | 'sideways' | 'isAnyAngle'>
- *   & { gaugeU: Vector, gaugeV: Vector, gaugeW: Vector }} Settings  gauges: what of a place counts as u, v and beside
+ * @typedef {object} Settings  of the map of a section; what is not said here is said there
+ * @property {'meridian' | 'plane' | 'flat'} kind
+ * @property {number} left
+ * @property {Vector} origin
+ * @property {Vector} across
+ * @property {Vector} u
+ * @property {Vector} v
+ * @property {Vector} gaugeU   what of a place counts as u
+ * @property {Vector} gaugeV
+ * @property {Vector} gaugeW   and as beside the plane
+ * @property {Vector} sideways
+ * @property {boolean} isAnyAngle
  */
 import { cross, dot, minus, along, squareTo, norm } from '../kinematics/lines.js';
 import { createRandom } from '../kinematics/random.js';
@@ -155,7 +164,8 @@ export function plane(placement, { origin, u, v }) {
   writePlacement(placement, new Float64Array(placement.ranges.joints.length));
   const left = crossingSlide(placement, normal);
   if (left < 0 && !isSolid(placement)) return null;
-  if (left < 0) return { kind: /** @type {const} */ ('plane'), ...still(origin, u, v), gaugeW: normal, isAnyAngle: false };
+  if (left < 0)
+    return { kind: /** @type {const} */ ('plane'), ...still(origin, u, v), gaugeW: normal, isAnyAngle: false };
   writePlacement(placement, new Float64Array(placement.ranges.joints.length));
   const along3 = /** @type {Vector} */ (Array.from(placement.axes.subarray(3 * left, 3 * left + 3)));
   const share = dot(normal, along3);

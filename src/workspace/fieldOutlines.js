@@ -37,7 +37,9 @@ const TINY = 1e-9;
 export function* outlinesOfFields(map, curves, goTo, drawn, tolerance) {
   /** @type {[Vertex, Vertex][]} */
   const bridges = [];
-  const isBrought = (/** @type {Vertex} */ { x }) => (map.write(x), map.isBrought());
+  // the axis of a half-plane is its edge, whatever is brought there
+  const isBrought = (/** @type {Vertex} */ { x, u }) =>
+    (map.kind === 'meridian' && u === 0) || (map.write(x), map.isBrought());
   for (let round = 1; ; round++) {
     const before = curves.length + bridges.length;
     const pieces = curves
@@ -53,7 +55,14 @@ export function* outlinesOfFields(map, curves, goTo, drawn, tolerance) {
     const short = [];
     const asking = reachedFields(arrangement, goTo, tolerance, (u, v, { x, beside, held, ...at }) => {
       const [du, dv] = [u - at.u, v - at.v];
-      short.push({ x, theta: Math.atan2(dv, du), mu: beside / Math.max(TINY, Math.hypot(du, dv)), held, u: at.u, v: at.v });
+      short.push({
+        x,
+        theta: Math.atan2(dv, du),
+        mu: beside / Math.max(TINY, Math.hypot(du, dv)),
+        held,
+        u: at.u,
+        v: at.v,
+      });
     });
     let step = asking.next();
     for (; !step.done; step = asking.next()) {

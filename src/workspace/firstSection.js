@@ -28,7 +28,7 @@ const PICTURES = [
 ];
 
 /** Places of which those near a plane are taken; near: a cell across. */
-const SLAB = { slices: 20, slice: 50_000, across: 80 };
+const SLAB = { slices: 20, slice: 50_000, across: 56 };
 
 /** What stands in for no distance: a section that has no width is a cell wide. */
 const THIN = 1e-6;

@@ -85,7 +85,13 @@ export function createGoing(map, descent, seen, within) {
       if (off > within && (!best || off < best.off)) {
         const at = seenIn(map, descent.placement.place);
         const held = map.ends.find((end) => map.left < 0 || end.at === start[map.left]);
-        best = { ...at, beside: -at.beside, off, x: Float64Array.from(map.free, (k) => start[k]), held: held?.at ?? null };
+        best = {
+          ...at,
+          beside: -at.beside,
+          off,
+          x: Float64Array.from(map.free, (k) => start[k]),
+          held: held?.at ?? null,
+        };
       }
       return off <= within;
     };

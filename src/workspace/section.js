@@ -124,8 +124,9 @@ function* sectionWithin(chain, options) {
   const curves = [];
   for (const trace of [edges, folds, ownLimits]) {
     for (const curve of trace(map, tolerance)) {
-      curves.push(curve);
-      if (curves.length % WORD === 0) yield { stage: 'curves', share: curves.length / (curves.length + WORD) };
+      if (curve) curves.push(curve);
+      if (!curve || curves.length % WORD === 0)
+        yield { stage: 'curves', share: curves.length / (curves.length + WORD) };
     }
   }
   if (isReached) {

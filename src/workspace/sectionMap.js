@@ -12,7 +12,6 @@
  * @import { Vector } from '../kinematics/lines.js'
  * @import { Cut } from './cut.js'
  * @import { Placement } from './placement.js'
- * @import { Fixed } from './traced.js'
  *
  * @typedef {object} SectionMap
  * @property {'meridian' | 'plane' | 'flat'} kind
@@ -40,7 +39,7 @@
  * @property {() => boolean} isBrought  after `write`: whether that joint can be there
  * @property {(f: ArrayLike<number>) => Vector} lift  a point of the section in the chain's root
  *
- * @typedef {{ at: number, fixed: Fixed[] }} End
+ * @typedef {{ at: number, fixed: { joint: number, bound: 'lower' | 'upper' }[] }} End
  */
 import { along } from '../kinematics/lines.js';
 import { meridian, plane } from './cut.js';

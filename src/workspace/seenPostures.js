@@ -18,7 +18,7 @@ import { along, cross, dot } from '../kinematics/lines.js';
 const KEPT = 40_000;
 
 /** Where no joint takes care of the plane: of so many those that pass by it, so near (arm's reaches), are brought into it. */
-const SLAB = { slices: 40, slice: 50_000, near: 1 / 40, kept: 20_000 };
+const SLAB = { slices: 40, slice: 50_000, near: 1 / 40, kept: 10_000 };
 
 /** Brought as near as this (m) is in the plane. */
 const IN_PLANE = 1e-9;
@@ -77,6 +77,8 @@ export function* seenPostures(map, sampler, descent) {
 function* broughtPostures(map, sampler, descent) {
   const { ranges, chain } = map.placement;
   const { slices, slice, near, kept } = SLAB;
+  const [nx, ny, nz] = map.sideways;
+  const height = dot(map.sideways, map.origin);
   const places = new Float32Array(3 * slice);
   const q = new Float64Array(chain.dof);
   /** @type {Seen[]} */
@@ -85,8 +87,9 @@ function* broughtPostures(map, sampler, descent) {
     yield null;
     sampler.fill(done * slice, places);
     for (let k = 0; k < slice && seen.length < kept; k++) {
+      const beside = nx * places[3 * k] + ny * places[3 * k + 1] + nz * places[3 * k + 2] - height;
+      if (Math.abs(beside) > near * chain.reach) continue;
       const passing = seenIn(map, places.subarray(3 * k, 3 * k + 3));
-      if (Math.abs(passing.beside) > near * chain.reach) continue;
       sampler.postureAt(done * slice + k, q);
       const x = Float64Array.from(ranges.joints, (joint) => q[joint]);
       const off = descent.bring(map.lift([passing.u, passing.v]), x);
@@ -104,15 +107,14 @@ function* broughtPostures(map, sampler, descent) {
  * @returns {Farthest[]}
  */
 export function farthestOf(seen) {
-  /** @type {{ theta: number, far: number, x: Float64Array | null }[]} */
-  const best = Array.from({ length: DIRECTIONS }, (_, k) => ({
-    theta: (2 * Math.PI * k) / DIRECTIONS,
-    far: -Infinity,
-    x: null,
-  }));
+  const best = Array.from({ length: DIRECTIONS }, (_, k) => {
+    const theta = (2 * Math.PI * k) / DIRECTIONS;
+    const x = /** @type {Float64Array | null} */ (null);
+    return { theta, c: Math.cos(theta), s: Math.sin(theta), far: -Infinity, x };
+  });
   for (const { x, u, v, off } of seen) {
     for (const each of off > 0 ? [] : best) {
-      const far = u * Math.cos(each.theta) + v * Math.sin(each.theta);
+      const far = u * each.c + v * each.s;
       if (far > each.far) [each.far, each.x] = [far, x];
     }
   }

@@ -8,7 +8,7 @@ export const SECTION = {
   about: {
     meridian: 'The half-plane through the axis of the first joint that turns: how far out, and how high.',
     flat: 'The plane that this arm never leaves.',
-    plane: 'A plane that a slide of this arm brings its places into.',
+    plane: 'What the tool point can reach in this plane.',
   },
   anyAngle: 'At whatever angle that joint stands.',
   oneAngle: 'At this angle of it only.',
@@ -30,9 +30,9 @@ export const SECTION = {
     `From ${least} to ${most}, please, so that there are not too many to keep; the last one stays.`,
   finer: (/** @type {string} */ cell) => `${cell} cells`,
   precise: 'Trace the boundary to 0.05 mm',
-  none: 'There is no answer for this plane yet: no joint of this arm brings its places into it, or the arm has more joints than can be solved in closed form. The arm’s own section may be known.',
+  none: 'This arm has no such half-plane: the axis of the first joint that turns does not stand still. Choose a plane instead.',
   onlyFirst: (/** @type {string} */ cell, /** @type {string} */ beside) =>
-    `Only this picture is known of it so far: cells of ${cell} in which a sampled posture lands${beside && `, or up to ${beside} beside the plane`}. What is left out may be reached, too. No joint of this arm brings its places into this plane, so nothing is traced or measured here.`,
+    `Cells of ${cell} in which a sampled posture lands${beside && `, or up to ${beside} beside the plane`}. What is left out may be reached, too. All that this arm reaches is a surface, which this plane cuts in lines: there is no area to be measured.`,
   noneSeen: 'None of the sampled postures lands in this plane: it seems to be out of reach, which is no proof.',
   noneOwn: 'There is no answer for this arm yet. A plane may be known: choose one.',
   empty: 'Nothing of the plane is reached.',
@@ -53,7 +53,7 @@ export const SECTION = {
   readingInWords: (/** @type {string} */ u, /** @type {string} */ v, /** @type {boolean} */ isIn) =>
     `${u} across, ${v} up: ${isIn ? 'reached' : 'not reached'}.`,
   pointAt: 'Point at the drawing to read a place',
-  coarse: 'A first picture, from sampled postures',
+  coarse: 'A first, rough picture from sampled postures: what is left out may be reached, too',
   result: {
     area: 'Area',
     volume: 'Volume',
@@ -74,7 +74,7 @@ export const SECTION = {
   proven:
     'Proven: on which side of each line the arm reaches is known from closed-form inverse kinematics, up to rounding.',
   estimated:
-    'An estimate: this arm has joints to spare, so it is known from postures that were found on which side of each line it reaches. A part that is hardly ever hit may be missing, which the error of the area does not count.',
+    'An estimate: on which side of each line the arm reaches is known from postures that were found. A part that is hardly ever hit may be missing, which the error of the area does not count.',
   gap: (/** @type {string} */ length) => `The longest stretch of boundary that was not found: ${length}.`,
   noVolume: 'Not known for this arm',
   inWords: {

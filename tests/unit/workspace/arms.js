@@ -1,6 +1,7 @@
 /** Arms whose workspace has a closed form, and that form: signed distances that share nothing with the kernel. */
 
 /** @import { ChainDescription } from '../../../src/kinematics/chain.js' */
+/** @import { Section } from '../../../src/workspace/section.js' */
 /** @import { JointRow } from '../../../src/kinematics/joint.js' */
 
 const QUARTER = Math.PI / 2;
@@ -80,3 +81,35 @@ export const sector = (l1, l2) => (x, y) => {
   const fromHigh = l2 - Math.hypot(x, y - l1); // inside that at +90°
   return x >= 0 ? Math.min(within, fromLow) : Math.min(within, fromHigh);
 };
+
+/** How far outlines are off the boundary, m. @param {Pick<Section, 'outlines'>} section @param {Inside} inside */
+export function farthestOff({ outlines }, inside) {
+  let worst = 0;
+  for (const { places } of outlines) {
+    const n = places.length / 2;
+    for (let i = 0; i < n; i++) {
+      const j = (i + 1) % n;
+      for (const t of [0, 0.5]) {
+        const [u, v] = [0, 1].map((k) => places[2 * i + k] * (1 - t) + places[2 * j + k] * t);
+        worst = Math.max(worst, Math.abs(inside(u, v)));
+      }
+    }
+  }
+  return worst;
+}
+
+/**
+ * Cells that say otherwise than their middle is, but for those that have the boundary within a margin.
+ * @param {Pick<Section, 'cells'>} section
+ * @param {Inside} inside
+ * @param {number} margin  m
+ */
+export function wrongCells({ cells: { u: left, v: low, size, columns, reached } }, inside, margin) {
+  let wrong = 0;
+  for (let k = 0; k < reached.length; k++) {
+    const u = left + ((k % columns) + 0.5) * size;
+    const v = low + (Math.floor(k / columns) + 0.5) * size;
+    if (Math.abs(inside(u, v)) > margin && reached[k] !== Number(inside(u, v) > 0)) wrong++;
+  }
+  return wrong;
+}

@@ -8,7 +8,7 @@ import { sectionAtOnce } from '../../../src/workspace/section.js';
 import { atOnce } from '../../../src/workspace/steps.js';
 import { runs, SEED } from '../../helpers/property.js';
 import { publishedArm } from '../kinematics/publishedArms.js';
-import { annulus, armOf, both, planar, right, sliding, turning } from './arms.js';
+import { annulus, armOf, both, farthestOff, planar, right, sliding, turning, wrongCells } from './arms.js';
 
 /** @import { ChainDescription } from '../../../src/kinematics/chain.js' */
 /** @import { Section, SectionOptions } from '../../../src/workspace/section.js' */
@@ -23,22 +23,6 @@ function sectionOf(arm, options) {
   const section = sectionAtOnce(createChain(arm), options);
   if (!section) throw new Error('Expected a section.');
   return section;
-}
-
-/** @param {Section} section @param {Inside} inside */
-function farthestOff({ outlines }, inside) {
-  let worst = 0;
-  for (const { places } of outlines) {
-    const n = places.length / 2;
-    for (let i = 0; i < n; i++) {
-      const j = (i + 1) % n;
-      for (const t of [0, 0.5]) {
-        const [u, v] = [0, 1].map((k) => places[2 * i + k] * (1 - t) + places[2 * j + k] * t);
-        worst = Math.max(worst, Math.abs(inside(u, v)));
-      }
-    }
-  }
-  return worst;
 }
 
 /**
@@ -80,14 +64,7 @@ describe('the section of a planar 3R arm', () => {
     expect(Math.abs(section.area - area)).toBeLessThan(section.areaError);
     expect(section.areaError).toBeLessThan(1e-3 * area);
     expect(section.gap).toBeLessThan(1e-4);
-    const { cells } = section;
-    let wrong = 0;
-    for (let k = 0; k < cells.reached.length; k++) {
-      const u = cells.u + ((k % cells.columns) + 0.5) * cells.size;
-      const v = cells.v + (Math.floor(k / cells.columns) + 0.5) * cells.size;
-      if (Math.abs(inside(u, v)) > 5e-5 && cells.reached[k] !== Number(inside(u, v) > 0)) wrong++;
-    }
-    expect(wrong).toBe(0);
+    expect(wrongCells(section, inside, 5e-5)).toBe(0);
   });
 
   test('with all its joints limited: as two links reach it from somewhere that the first can be', () => {

@@ -71,7 +71,7 @@ test('the section of a planar arm has the area of its closed form, is read by ke
   await body.getByRole('button', { name: 'A plane' }).click();
   await body.getByLabel('Normal of the plane, three numbers').fill('1 0 0');
   await page.keyboard.press('Enter');
-  await expect(body).toContainText('Only this picture is known of it so far');
+  await expect(body).toContainText('there is no area to be measured');
   const link = await page.evaluate(() => window.denavit.link({ view: true }));
   expect(link).toContain('workspace=section&workspace.cut=plane&workspace.normal=1,0,0');
 });

@@ -114,10 +114,9 @@ export function isClear({ nodes, edges, near }, p, q, but) {
     /** @type {{ u: number, v: number }} */ b,
     /** @type {{ u: number, v: number }} */ c,
   ) => (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u);
-  for (const k of near.near(p, q, 0)) {
-    if (k === but) continue;
+  return !near.some(p, q, (k) => {
+    if (k === but) return false;
     const [a, b] = [nodes[edges[k].a], nodes[edges[k].b]];
-    if (side(p, q, a) * side(p, q, b) <= 0 && side(a, b, p) * side(a, b, q) <= 0) return false;
-  }
-  return true;
+    return side(p, q, a) * side(p, q, b) <= 0 && side(a, b, p) * side(a, b, q) <= 0;
+  });
 }

@@ -27,6 +27,17 @@ export class Squares {
     return keys;
   }
 
+  /**
+   * Whether a thing near a line is as asked for; it may be asked about more than once.
+   * @param {Point} a
+   * @param {Point} b
+   * @param {(thing: T) => boolean} isIt
+   */
+  some(a, b, isIt) {
+    for (const key of this.#keys(a.u, a.v, b.u, b.v)) if (this.#kept.get(key)?.some(isIt)) return true;
+    return false;
+  }
+
   /** @param {T} thing @param {Point} a @param {Point} b */
   add(thing, a, b) {
     for (const key of this.#keys(a.u, a.v, b.u, b.v)) {

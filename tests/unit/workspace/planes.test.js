@@ -103,8 +103,11 @@ function isReachedByTwo([x, y], [a, b], bent, limits) {
 const isWithin = (angle, [low, high]) =>
   [-1, 0, 1].some((turns) => angle + 2 * Math.PI * turns >= low && angle + 2 * Math.PI * turns <= high);
 
-/** A rail, a shoulder beside its own axis, and two links; all limited. */
-const LIMITS = [[-1.7, 1.4], [-0.5, 1.9], [-2.1, -0.2]]; // prettier-ignore
+/** All the way round: no limits. */
+const ROUND = [-Math.PI, Math.PI];
+
+/** A rail, a shoulder beside its own axis, and two links. */
+const LIMITS = [[-1.7, 1.4], isDeep ? [-0.5, 1.9] : ROUND, [-2.1, -0.2]]; // prettier-ignore
 const limited = armOf(
   sliding([0, QUARTER, 0, 0], [0, 0.8]),
   ...[0.05, 0.3, 0.2].map((a, k) => turning([a, k === 0 ? QUARTER : 0, 0, 0], LIMITS[k])),
@@ -125,7 +128,7 @@ const byRail = (u, v) => {
 };
 
 /** Four joints, of which the last brings the tool to either side. */
-const SWAYS = [[-1.05, 1.75], [-2.5, 2.5], [-2.8, 2.8], [-2, 2]]; // prettier-ignore
+const SWAYS = [[-1.05, 1.75], isDeep ? [-2.5, 2.5] : ROUND, [-2.8, 2.8], [-2, 2]]; // prettier-ignore
 const swaying = armOf(
   turning([0.1, QUARTER, 0, 0], SWAYS[0]),
   turning([0.3, 0, 0, 0], SWAYS[1]),

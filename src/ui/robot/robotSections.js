@@ -64,7 +64,13 @@ export function createRobotSections(page, host, scene) {
   const about = fold('fold-about', async (body) => (await import('./robotInfo.js')).createRobotInfo(page, body));
   host.append(...[joint, base, tool, frames, obstacles, about].map(({ element }) => element));
 
-  let shown = 0; // the joint that the head speaks of
+  let shown = 0; // the joint that the head speaks of: known at once, for a key that comes before the next picture
+  const follow = () => {
+    const { doc, session } = store.state;
+    shown = Math.min(session.openJoint ?? session.cell?.joint ?? shown, doc.robot.joints.length - 1);
+  };
+  follow();
+  store.subscribe(follow);
   // With the fold open, whichever row a person goes to is the one that is shown in it.
   host.addEventListener('focusin', ({ target }) => {
     const row = target instanceof Element && target.closest('tr[data-row]')?.getAttribute('data-row');
@@ -73,12 +79,11 @@ export function createRobotSections(page, host, scene) {
   });
 
   addView(
-    together(({ doc, session }) => [doc.robot, session.openJoint, session.cell?.joint ?? null]),
-    ([robot, open, cellJoint]) => {
-      shown = Math.min(open ?? cellJoint ?? shown, robot.joints.length - 1);
-      const axis = robot.convention === 'standard' ? shown : shown + 1;
-      const way = isSliding(robot.joints[shown]) ? TEXT.robot.slides : TEXT.robot.turns;
-      joint.setHead(TEXT.robot.joint(shown + 1), way, ' ', symbol('z', axis));
+    together(({ doc, session }) => [doc.robot, session.openJoint, shown]),
+    ([robot, open, index]) => {
+      const axis = robot.convention === 'standard' ? index : index + 1;
+      const way = isSliding(robot.joints[index]) ? TEXT.robot.slides : TEXT.robot.turns;
+      joint.setHead(TEXT.robot.joint(index + 1), way, ' ', symbol('z', axis));
       joint.set(open !== null);
     },
   );

@@ -29,22 +29,22 @@ void main() {
   gl_Position = projectionMatrix * viewMatrix * world;
 }`;
 
+// The colours are already the screen's: what turns light into them would be most of the work, at each of half the picture's pixels.
 const FRAGMENT = `varying vec2 place;
 uniform float minorStep, majorStep, extent, minorOpacity, majorOpacity;
 uniform vec2 middle;
 uniform vec3 minorColour, majorColour;
-float lines(float gridStep, float width) {
-  vec2 at = place / gridStep, pixel = fwidth(at);
-  vec2 off = abs(fract(at - 0.5) - 0.5) / pixel;
+float lines(vec2 pixel, float gridStep, float width) {
+  vec2 off = abs(fract(place / gridStep - 0.5) - 0.5) * gridStep / pixel;
   float line = 1.0 - smoothstep(0.0, width, min(off.x, off.y));
-  return line * (1.0 - smoothstep(0.25, 0.6, max(pixel.x, pixel.y)));
+  return line * (1.0 - smoothstep(0.25 * gridStep, 0.6 * gridStep, max(pixel.x, pixel.y)));
 }
 void main() {
+  vec2 pixel = fwidth(place);
   float fade = 1.0 - smoothstep(extent * 0.35, extent, length(place - middle));
-  float minorLine = lines(minorStep, 1.1) * minorOpacity, majorLine = lines(majorStep, 1.3) * majorOpacity;
+  float minorLine = lines(pixel, minorStep, 1.1) * minorOpacity, majorLine = lines(pixel, majorStep, 1.3) * majorOpacity;
   gl_FragColor = vec4(mix(minorColour, majorColour, step(minorLine, majorLine)), max(minorLine, majorLine) * fade);
   if (gl_FragColor.a < 0.002) discard;
-  #include <colorspace_fragment>
 }`;
 
 /** @param {{ skin: Skin, isLow: boolean }} options */
@@ -81,8 +81,8 @@ export function createFloor({ skin, isLow }) {
   /** @param {Skin} next */
   function setSkin(next) {
     shadowMaterial.opacity = next.shadow;
-    uniforms.minorColour.value.set(next.gridMinor);
-    uniforms.majorColour.value.set(next.gridMajor);
+    uniforms.minorColour.value.set(next.gridMinor).convertLinearToSRGB();
+    uniforms.majorColour.value.set(next.gridMajor).convertLinearToSRGB();
     uniforms.minorOpacity.value = next.gridMinorOpacity;
     uniforms.majorOpacity.value = next.gridMajorOpacity;
   }

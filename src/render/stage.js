@@ -58,6 +58,8 @@ export function createStage({ host, clock, quality, text, isCalm = () => false, 
 
   let castsAnew = true;
   let isBroken = false;
+  /** The camera is being set for the picture that is drawn next: no other is due for that. */
+  let isAiming = false;
   let isFitted = false;
   /** The arm is seen from where it is seen best. */
   let isAtHome = false;
@@ -69,10 +71,14 @@ export function createStage({ host, clock, quality, text, isCalm = () => false, 
   let wanted = null;
 
   const labels = createLabels(host);
-  const invalidate = createFrameLoop(clock, draw);
+  const ask = createFrameLoop(clock, draw);
   const scene = createScene({ skin: currentSkin(), isLow, labels, text, onChange: redraw, onGridStep });
   const view = createView(surface.canvas, { clock, isCalm, onChange: invalidate, onLook: (name) => onLook(name) });
   surface.start();
+
+  function invalidate() {
+    if (!isAiming) ask();
+  }
 
   /** @param {{ castsAnew: boolean }} change */
   function redraw(change) {
@@ -83,11 +89,13 @@ export function createStage({ host, clock, quality, text, isCalm = () => false, 
   function draw() {
     if (isBroken || !surface) return;
     try {
+      isAiming = true;
       if (!isFitted) fit();
       if (wanted && isFitted) {
         view.standAt(fromCameraNumbers(wanted, surface.width / surface.height));
         left = wanted = null;
       }
+      isAiming = false;
       const eye = eyeOf(view.camera, surface.width, surface.height);
       scene.face(eye);
       if (!surface.draw(scene.scene, view.camera, castsAnew)) return;

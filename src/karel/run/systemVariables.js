@@ -9,6 +9,8 @@
 const FRAMES = 9;
 const TOOLS = 10;
 const AXES = 9;
+/** mm/s, of $SPEED for joint moves: a round number, as it differs from robot to robot. */
+export const JOINT_SPEED_LIMIT = 2000;
 
 const nothing = () => new Array(10).fill(0);
 
@@ -16,6 +18,7 @@ const nothing = () => new Array(10).fill(0);
 export const firstSystem = () => ({
   ...{ 'GROUP[1].UFRAME': nothing(), 'GROUP[1].UTOOL': nothing(), 'MOR_GRP[1].NILPOS': nothing() },
   'MOR_GRP[1].CUR_NOM_ANG': new Array(AXES).fill(0),
+  'PARAM_GROUP[1].SPEEDLIMJNT': JOINT_SPEED_LIMIT,
   ...{ 'MNUFRAMENUM[1]': 0, 'MNUTOOLNUM[1]': 1, 'SCR.NUM_GROUP': 1 },
   ...Object.fromEntries(Array.from({ length: FRAMES }, (_, i) => [`MNUFRAME[1][${i + 1}]`, nothing()])),
   ...Object.fromEntries(Array.from({ length: TOOLS }, (_, i) => [`MNUTOOL[1][${i + 1}]`, nothing()])),

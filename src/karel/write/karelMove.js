@@ -1,7 +1,7 @@
 /**
  * A program as KAREL that moves by itself, for controllers up to R-J3iB. Later ones deprecate MOVE, or have none.
  *
- * @import { Expression, Statement } from '../tree.js'
+ * @import { Designator, Expression, Statement } from '../tree.js'
  * @import { NeutralMove, NeutralProgram, NeutralStep, NeutralTarget, WriteNote, WriteOptions, Written } from './neutral.js'
  */
 import { fanucNames } from '../fanucNames.js';
@@ -16,6 +16,8 @@ const MOTION = { joint: 'JOINT', linear: 'LINEAR', circular: 'CIRCULAR' };
 
 /** DELAY counts milliseconds. */
 const DELAY_DECIMALS = 3;
+/** Of the full rates: tenths of a per cent. */
+const SHARE_DECIMALS = 3;
 
 /** What the program calls its own things, besides those of all. */
 export const NAMES = { target: 'target_n', via: 'via_n', index: 'prog_idx' };
@@ -39,7 +41,7 @@ export function* writeKarelMoveInSlices(program, { programName = program.name } 
     {
       ...{ severity: 'note', code: 'unverified-move' },
       message:
-        'How corners are rounded ($DECELTOL), and that joint speeds follow $SPEED, is not verified; accelerations are not written.',
+        'How corners are rounded ($DECELTOL), and that joints go at the share $SPEED / $SPEEDLIMJNT of their full rates, is not verified; accelerations are not written.',
     },
   ];
   let [userFrame, tool] = [-1, -1];
@@ -75,7 +77,9 @@ function moveStatements({ motion, target, via, speed, ending }) {
     ...(ending.kind === 'percent'
       ? [/** @type {[string, Expression]} */ (['DECELTOL', integer(Math.round(ending.value))])]
       : []),
-    [speed.unit === 'deg/s' ? 'ROTSPEED' : 'SPEED', real(speed.value, 1)],
+    speed.unit === '%'
+      ? ['SPEED', binary(jointSpeedLimit(), '*', real(speed.value / 100, SHARE_DECIMALS))]
+      : [speed.unit === 'deg/s' ? 'ROTSPEED' : 'SPEED', real(speed.value, 1)],
   ];
   return [
     ...(past?.before ?? []),
@@ -111,23 +115,26 @@ function variablesFor(program) {
 }
 
 /** The chosen frame, by its number and its place. @param {string} own @param {string} table @param {number} index @returns {Statement[]} */
-function frameStatements(own, table, index) {
-  const group = (/** @type {Expression} */ target, /** @type {string} */ field) =>
-    /** @type {Expression} */ ({ kind: 'field', target, name: field, system: true });
-  const indexed = (/** @type {string} */ variable, /** @type {number[]} */ ...indices) =>
-    /** @type {Expression} */ ({
-      kind: 'index',
-      target: { kind: 'system', name: variable },
-      indices: indices.map(integer),
-    });
-  return [
-    assign(indexed(`${table}NUM`, 1), integer(index)),
-    assign(
-      group(indexed('GROUP', 1), own),
-      index === 0 ? group(indexed('MOR_GRP', 1), 'NILPOS') : indexed(table, 1, index),
-    ),
-  ];
-}
+const frameStatements = (own, table, index) => [
+  assign(system(`${table}NUM`, 1), integer(index)),
+  assign(
+    systemField(system('GROUP', 1), own),
+    index === 0 ? systemField(system('MOR_GRP', 1), 'NILPOS') : system(table, 1, index),
+  ),
+];
+
+/** The $SPEED of joints at their full rates, mm/s. */
+const jointSpeedLimit = () => systemField(system('PARAM_GROUP', 1), 'SPEEDLIMJNT');
+
+/** @param {string} variable @param {number[]} indices @returns {Designator} */
+const system = (variable, ...indices) => ({
+  kind: 'index',
+  target: { kind: 'system', name: variable },
+  indices: indices.map(integer),
+});
+
+/** @param {Designator} target @param {string} field @returns {Designator} */
+const systemField = (target, field) => ({ kind: 'field', target, name: field, system: true });
 
 /** @param {Exclude<NeutralStep, NeutralMove>} step @returns {Statement[]} */
 function otherStep(step) {

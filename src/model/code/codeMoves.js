@@ -2,17 +2,19 @@
  * A motion that running code asks for, as moves of the arm and as a plan in time. The controller counts in millimetres and degrees,
  * in its own way of counting joints, and in the frames that are chosen (codeFrames.js).
  *
- * Approximations: every motion stops at its end; a joint motion of KAREL goes at the joints' full rates. What becomes of NEAR, AWAY and
- * AXIS is in codeOffsets.js.
+ * An approximation: every motion stops at its end. How the speed of a joint motion of KAREL is taken is in moveSettings.js, what becomes
+ * of NEAR, AWAY and AXIS in codeOffsets.js.
  *
  * @import { CodeFrames, SystemValues } from './codeFrames.js'
  * @import { Doc } from '../document.js'
  * @import { CodeMove } from '../controller/codeMoves.js'
+ * @import { MoveSettings } from '../controller/moveSettings.js'
  * @import { Effect } from '../../karel/run/machine.js'
  * @import { JointLimits, WayMove } from '../../motion/moves.js'
  * @import { MotionPlan } from '../../motion/plan.js'
  * @import { Chain } from '../../kinematics/chain.js'
  */
+import { isJoints } from '../../karel/run/positions.js';
 import { keyOfText } from '../../karel/run/systemVariables.js';
 import { inverseKinematics } from '../../kinematics/inverse.js';
 import { compose } from '../../kinematics/pose.js';
@@ -22,6 +24,7 @@ import { compilePosture, postureFromKernel } from '../compile.js';
 import { codeMove, controllerPose } from '../controller/codeMoves.js';
 import { pendantValues } from '../controller/controllerValues.js';
 import { controllerFrames } from '../controller/frameNumbers.js';
+import { FIRST_SPEED, moveSettings } from '../controller/moveSettings.js';
 import { limitsOf } from '../program/motionLimits.js';
 import { ASSUMED_TOOL_ACCELERATION, ASSUMED_TOOL_TURN, UNREACHED } from '../program/motionPlan.js';
 import { toKernel } from '../units.js';
@@ -29,10 +32,6 @@ import { codeFrames, OWN_FRAME } from './codeFrames.js';
 import { asPlainMove } from './codeOffsets.js';
 
 const MM = /** @type {const} */ ({ length: 'mm', angle: 'deg' });
-/** By $MOTYPE. @type {Readonly<Record<number, 'L' | 'C'>>} */
-const MOTYPES = { 7: 'L', 8: 'C' };
-/** mm/s, where the code says nothing. */
-const FIRST_SPEED = 300;
 const INCH = 25.4;
 const MINUTE = 60;
 /** mm/s and degrees/s of a speed of 1. @type {Readonly<Record<string, number>>} */
@@ -82,7 +81,9 @@ export function movesOf(doc, start, effect, controller) {
   const frames = effect.brand === 'kuka' ? { ...controllerFrames(doc, 'kuka'), missing: [] } : codeFrames(doc, system);
   const plain = effect.settings ? asPlainMove(doc, start, effect, system) : effect;
   if ('message' in plain) return { message: String(plain.message) };
-  const asked = effect.settings ? asTp(plain, system) : [effect];
+  const settings = effect.settings ? moveSettings(effect, system) : null;
+  if (settings && 'message' in settings) return settings;
+  const asked = settings ? asTp(plain, settings) : [effect];
   if ('message' in asked) return asked;
   let /** @type {Float64Array} */ from = start;
   /** @type {{ move: CodeMove, effect: Effect }[]} */
@@ -99,33 +100,23 @@ export function movesOf(doc, start, effect, controller) {
   return { moves, missing: [...new Set(frames.missing)] };
 }
 
-/** MOVE of KAREL, as moves of TP: one, or one for each node. @param {Effect} effect @param {SystemValues} system @returns {Effect[] | { message: string }} */
-function asTp(effect, system) {
-  const settings = /** @type {Record<string, unknown>} */ (effect.settings);
-  const set = (/** @type {string} */ name) =>
-    settings[`$${name}`] ?? settings[`$GROUP[1].$${name}`] ?? system[`GROUP[1].${name}`] ?? system[name];
-  const { to } = effect;
+/** MOVE of KAREL, as moves of TP: one, or one for each node. @param {Effect} effect @param {MoveSettings} settings @returns {Effect[] | { message: string }} */
+function asTp(effect, { motion, speed }) {
+  const { to, via } = effect;
   const places = to === 'ALONG' ? nodesOf(effect.nodes) : [effect.position];
-  const speed = Number(set('SPEED') ?? FIRST_SPEED);
-  if (!(speed > 0)) return { message: `Expected $SPEED above 0, got ${speed}.` };
-  const motion = effect.isJoint ? 'J' : (MOTYPES[Number(set('MOTYPE'))] ?? 'J');
   const isWhole = (/** @type {unknown} */ place) =>
     Array.isArray(place) &&
     place.slice(0, 6).length > 0 &&
     place.slice(0, 6).every((value) => typeof value === 'number');
-  if (!places.every(isWhole) || (motion === 'C' && !isWhole(effect.via)))
+  if (!places.every(isWhole) || (motion === 'C' && !isWhole(via)))
     return { message: 'A position that is moved to is uninitialised.' };
-  return places.map((position) => {
-    const isJoint = /** @type {unknown[]} */ (position).length < 10 && Boolean(effect.isJoint);
-    return {
-      ...{ kind: 'move', to: 'TO', line: effect.line, motion, position, isJoint },
-      ...(motion === 'C' && { via: effect.via, viaIsJoint: false }),
-      speed: motion === 'J' ? { value: 100, unit: '%' } : { value: speed, unit: 'mm/sec' },
-      termination: { kind: 'FINE' },
-      ...{ userFrame: OWN_FRAME, toolFrame: OWN_FRAME },
-      settings: null,
-    };
-  });
+  return places.map((position) => ({
+    ...{ kind: 'move', to: 'TO', line: effect.line, motion, speed, position, isJoint: isJoints(position) },
+    ...(motion === 'C' && { via, viaIsJoint: isJoints(via) }),
+    termination: { kind: 'FINE' },
+    ...{ userFrame: OWN_FRAME, toolFrame: OWN_FRAME },
+    settings: null,
+  }));
 }
 
 /** The positions of a path: its nodes are positions, or structures that begin with one. @param {unknown} nodes @returns {unknown[]} */

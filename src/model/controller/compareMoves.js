@@ -120,15 +120,8 @@ function differences(done, wanted, deviation, rounding, language) {
 /** Whether a move of code has a speed. @param {CodeMove} done @param {number} value */
 const isSpeed = ({ speed }, value) => Math.abs(Number(speed.value) - value) <= HALF + value * SINGLE;
 
-/**
- * Whether a speed is in the program's unit, and can be compared: MOVE of KAREL has joint speeds as $SPEED, KRL turns with a speed of
- * their own.
- * @param {CodeMove} done
- * @param {NeutralMove} move
- */
-const isComparable = ({ speed }, move) =>
-  speed.value !== null &&
-  (speed.unit === SPEED_UNITS[move.speed.unit] || (move.speed.unit === '%' && speed.unit === 'mm/sec'));
+/** Whether a speed is in the program's unit, and can be compared: KRL turns with a speed of their own. @param {CodeMove} done @param {NeutralMove} move */
+const isComparable = ({ speed }, move) => speed.value !== null && speed.unit === SPEED_UNITS[move.speed.unit];
 
 /** What a controller takes of the speed that is asked for. @param {NeutralMove} move @param {'fanuc' | 'krl'} language */
 const allowed = ({ speed }, language) =>

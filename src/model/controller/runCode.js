@@ -27,20 +27,17 @@ import { runKrl } from '../../karel/krl/interpreter.js';
 import { parseKrl } from '../../karel/krl/parser.js';
 import { parseInSlices } from '../../karel/parser.js';
 import { linkInSlices } from '../../karel/run/link.js';
+import { isJoints } from '../../karel/run/positions.js';
 import { checkTp } from '../../karel/tp/checker.js';
 import { parseTpInSlices } from '../../karel/tp/parser.js';
 import { nameOf } from '../../karel/tp/tree.js';
 import { comingInputs } from '../code/comingInputs.js';
 import { setRegister } from '../code/givenRegisters.js';
+import { moveSettings } from './moveSettings.js';
 
 const STEPS = 200_000;
 /** Statements between two looks at the clock. */
 const TURN = 100;
-
-/** KAREL's motion types and how moves end, as TP has them. */
-const MOTYPES = /** @type {Readonly<Record<number, string>>} */ ({ 6: 'J', 7: 'L', 8: 'C' });
-const VARDECEL = 5;
-const FINE = 1;
 
 /** All at once, without an arm. @param {readonly CodeFile[]} files  the first is the one that is run @returns {CodeRun} */
 export function runCode(files) {
@@ -211,7 +208,18 @@ function* runFanucFiles(files, findings, arm) {
         const missing = ['$UTOOL', '$UFRAME'].filter((frame) => !text.toUpperCase().includes(frame));
         findings.push(...unsetFrames(missing, file, effect.line));
       }
-      yield { ...karelMove(effect, system()), raw: effect, system: system(), file };
+      const settings = moveSettings(effect, system());
+      if ('message' in settings) {
+        const { message } = settings;
+        findings.push({ severity: 'error', code: 'move-settings', message, file, line: effect.line ?? 0 });
+        continue;
+      }
+      const { 'MNUFRAMENUM[1]': userFrame, 'MNUTOOLNUM[1]': toolFrame } = system();
+      yield {
+        ...{ ...effect, ...settings, viaIsJoint: isJoints(effect.via) },
+        ...{ userFrame: Number(userFrame ?? 0), toolFrame: Number(toolFrame ?? 0) },
+        ...{ raw: effect, system: system(), file },
+      };
     } else yield { ...effect, system: system(), file };
   }
   const { status, alarm, diagnostics = [], program } = next.value;
@@ -251,23 +259,3 @@ const passedOver = ({ program, line = 0 }, file) => ({
   ...{ severity: 'warning', code: 'not-at-hand', file, line },
   message: `${String(program)} is not at hand: it is passed over, and what it does is not verified.`,
 });
-
-/** KAREL's MOVE as a move of TP. @param {Effect} effect @param {SystemValues} system @returns {Effect} */
-function karelMove(effect, system) {
-  const settings = /** @type {Record<string, unknown>} */ (effect.settings);
-  const set = (/** @type {string} */ name) =>
-    settings[`$${name}`] ?? settings[`$GROUP[1].$${name}`] ?? system[`GROUP[1].${name}`] ?? system[name];
-  const type = Number(set('TERMTYPE'));
-  return {
-    ...effect,
-    ...{ motion: MOTYPES[Number(set('MOTYPE'))] ?? 'J' },
-    viaIsJoint: Array.isArray(effect.via) && effect.via.length < 10,
-    speed: {
-      value: settings.$SPEED ?? settings.$ROTSPEED ?? null,
-      unit: settings.$ROTSPEED === undefined ? 'mm/sec' : 'deg/sec',
-    },
-    termination:
-      type === FINE ? { kind: 'FINE' } : type === VARDECEL ? { kind: 'CNT', value: set('DECELTOL') } : { kind: 'CR' },
-    ...{ userFrame: Number(system['MNUFRAMENUM[1]'] ?? 0), toolFrame: Number(system['MNUTOOLNUM[1]'] ?? 0) },
-  };
-}

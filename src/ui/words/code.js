@@ -125,7 +125,7 @@ export const CODE = {
   taskAlarm: (/** @type {string} */ task, /** @type {string} */ reason) => `Task ${task} ended: ${reason}`,
   simulated: 'Simulated; no controller has judged this',
   limits:
-    'Every motion stops at its end, those of KAREL by joints go at full rates; one that is cancelled, stopped, held or skipped comes to rest on its way within 0.1 s, which is not how a controller brakes. Frame 0 is on axis 1, at the height of axis 2.',
+    'Every motion stops at its end; joint moves of KAREL go at $SPEED / $SPEEDLIMJNT of the full rates, which is not verified; one that is cancelled, stopped, held or skipped comes to rest on its way within 0.1 s, which is not how a controller brakes. Frame 0 is on axis 1, at the height of axis 2.',
   /** @param {string} name @param {string} mover  the TP program that it calls */
   template: (name, mover) => `PROGRAM ${name}
 -- Move the tool 50 mm up from where it is, and back:

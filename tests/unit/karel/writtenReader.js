@@ -32,7 +32,7 @@ const KAREL = [
   /^ {2}[a-z][a-z0-9_]{0,7}$/, // the call of the TP half
   /^ {2}\$MNU(FRAME|TOOL)NUM\[1\] = \d+$/,
   /^ {2}\$GROUP\[1\]\.\$U(FRAME|TOOL) = (\$MOR_GRP\[1\]\.\$NILPOS|\$MNU(FRAME|TOOL)\[1, \d+\])$/,
-  /^ {2}WITH \$MOTYPE = (JOINT|LINEAR|CIRCULAR), \$TERMTYPE = (FINE|VARDECEL, \$DECELTOL = \d+|NODECEL), \$(ROT)?SPEED = \d+\.\d MOVE TO (target_n|at_joints)( VIA (via_n|via_joints))?$/,
+  /^ {2}WITH \$MOTYPE = (JOINT|LINEAR|CIRCULAR), \$TERMTYPE = (FINE|VARDECEL, \$DECELTOL = \d+|NODECEL), (\$SPEED = \$PARAM_GROUP\[1\]\.\$SPEEDLIMJNT \* \d\.\d{3}|\$(ROT)?SPEED = \d+\.\d) MOVE TO (target_n|at_joints)( VIA (via_n|via_joints))?$/,
   /^ {2}(DELAY \d+|DOUT\[\d+\] = (ON|OFF)|WAIT FOR DIN\[\d+\] = (ON|OFF)|CALL_PROG\('[A-Za-z0-9_]{1,36}', prog_idx\))$/,
 ].map((pattern) => new RegExp(pattern.source.replaceAll('NUMBER', NUMBER).replaceAll('LETTERS', CONFIG)));
 

@@ -141,6 +141,35 @@ END p
   expect(compilePosture(doc.robot, posture)).toHaveLength(6);
 });
 
+test('joints go at $SPEED / $SPEEDLIMJNT of their full rates, as TP at that share; a line to joint values is a line', () => {
+  const doc = newDocument(firstRobot);
+  const joints = doc.posture.with(0, 40);
+  const planFor = (
+    /** @type {Record<string, unknown>} */ effect,
+    /** @type {Record<string, number>} */ system = {},
+  ) => {
+    const move = { kind: 'move', to: 'TO', position: joints, isJoint: true, ...effect };
+    const found = planOfMove(doc, doc.posture, move, system);
+    if (!('plan' in found)) throw new Error(found.message);
+    return found.plan;
+  };
+  const byTp = { motion: 'J', speed: { value: 20, unit: '%' }, userFrame: 0, toolFrame: 0 };
+  const { duration } = planFor(byTp);
+  expect(planFor({ settings: { $MOTYPE: 6, $SPEED: 400 } }).duration).toBeCloseTo(duration, 12);
+  const system = { 'GROUP[1].SPEED': 100, 'PARAM_GROUP[1].SPEEDLIMJNT': 500 };
+  expect(planFor({ settings: {} }, system).duration).toBeCloseTo(duration, 12);
+  expect(() => planFor({ settings: { $SPEED: 0 } })).toThrow('Expected $SPEED above 0');
+  expect(() => planFor({ settings: {} }, { 'PARAM_GROUP[1].SPEEDLIMJNT': 0 })).toThrow('$SPEEDLIMJNT above 0');
+  const chain = compileRobot(doc.robot);
+  const line = planFor({ settings: { $MOTYPE: 7, $SPEED: 100 } });
+  const placeAt = (/** @type {number} */ share) => {
+    const T = tcpPose(chain, planMomentAt(line, share * line.duration).posture);
+    return [T[12], T[13], T[14]];
+  };
+  const [from, middle, to] = [0, 0.5, 1].map(placeAt);
+  middle.forEach((value, i) => expect(value).toBeCloseTo((from[i] + to[i]) / 2, 6));
+});
+
 test('a position that was never set, and a motion that nobody defines, are refused in words', () => {
   const doc = newDocument(firstRobot);
   const refused = (/** @type {Record<string, unknown>} */ effect) =>
@@ -161,7 +190,7 @@ test('a position that was never set, and a motion that nobody defines, are refus
     message: expect.stringContaining('not zero'),
   });
   expect(refused({ to: 'AXIS', axis: 7, by: 5 })).toMatchObject({ message: expect.stringContaining('from 1 to 6') });
-  expect(refused({ to: 'TO', position: [9000, 0, 0, 0, 0, 0, 0] })).toMatchObject({
+  expect(refused({ to: 'TO', position: [9000, 0, 0, 0, 0, 0, 0, 0, 0, 0] })).toMatchObject({
     message: 'The arm does not reach this pose.',
   });
 });
@@ -171,10 +200,10 @@ test('NEAR and AWAY keep off along the tool, RELATIVE shifts or composes, ABOUT 
   const chain = compileRobot(doc.robot);
   const start = compilePosture(doc.robot, doc.posture);
   const at = positionForCode(doc, {}, false);
-  const endOf = (/** @type {Record<string, unknown>} */ effect) => {
+  const endOf = (/** @type {Record<string, unknown>} */ effect, share = 1) => {
     const planned = planOfMove(doc, doc.posture, { kind: 'move', settings: { $MOTYPE: 7 }, ...effect }, {});
     if (!('plan' in planned)) throw new Error(planned.message);
-    return planMomentAt(planned.plan, planned.plan.duration).posture;
+    return planMomentAt(planned.plan, share * planned.plan.duration).posture;
   };
   const T = tcpPose(chain, start);
   for (const effect of [
@@ -199,9 +228,14 @@ test('NEAR and AWAY keep off along the tool, RELATIVE shifts or composes, ABOUT 
     expect(T_shifted[i]).toBeCloseTo(T[i], 6);
     expect(T_composed[i]).toBeCloseTo(T_turned[i], 6);
   }
-  const end = endOf({ to: 'AXIS', axis: 1, by: 10 });
-  expect(end[0] - start[0]).toBeCloseTo(Math.PI / 18, 9);
-  expect([...end.slice(1)]).toEqual([...start.slice(1)].map((value) => expect.closeTo(value, 9)));
+  for (const [share, turn] of [
+    [1, Math.PI / 18],
+    [0.5, Math.PI / 36],
+  ]) {
+    const found = endOf({ to: 'AXIS', axis: 1, by: 10 }, share);
+    expect(found[0] - start[0]).toBeCloseTo(turn, 9);
+    expect([...found.slice(1)]).toEqual([...start.slice(1)].map((value) => expect.closeTo(value, 9)));
+  }
 });
 
 test('values are shown as code has them', () => {

@@ -4,16 +4,18 @@
  * KAREL program that called go on, its condition handlers are looked at, and programs that RUN and RUN_TASK began have their turns.
  * Effects are those of the two interpreters, each with the name of its program; a call of a program that is not here stays an effect.
  *
+ * @import { Refusal } from './controllerTasks.js'
  * @import { Caller, Controller, ControllerHost, Level, Programs } from './controllerTurns.js'
  * @import { Outcome } from './interpreter.js'
  * @import { Effect, Host, Idle, State } from './run/machine.js'
  * @import { Value } from './run/values.js'
  * @import { TpState } from './tp/run/memory.js'
+ * @import { TpCode } from './tp/run/program.js'
  *
  * @typedef {Omit<Outcome, 'state'> & { program: string, state: State | TpState | null }} ControllerOutcome
  */
 import { createMachine, linkKarel, runTurns } from './interpreter.js';
-import { endThread, groupFor, refuseGroup, taskAt, taskOnController } from './controllerTasks.js';
+import { endThread, groupFor, refuse, taskAt, taskOnController } from './controllerTasks.js';
 import { handOver, isAtEnd, levelAt, memoryOf, nextLevel, passTurn, share, turnsOf } from './controllerTurns.js';
 import { freeGroup } from './run/arm.js';
 import { finishMotion, SCAN, waitUntil } from './run/machine.js';
@@ -103,8 +105,11 @@ export function* goOn(controller) {
       if (effect.kind !== 'turn') {
         controller.told = controller.turn;
         const begun = begin(effect, controller);
-        if (begun === true) continue;
-        const alarm = begun && refuseGroup(controller, begun, Number(effect.line));
+        if (begun === true) {
+          if (effect.isPaused) yield { kind: 'pause', line: firstLine(effect), in: String(effect.program) };
+          continue;
+        }
+        const alarm = begun && refuse(controller, begun, Number(effect.line));
         if (begun && !alarm) continue;
         if (alarm) ended = { status: 'alarm', alarm };
       }
@@ -134,7 +139,7 @@ export function* goOn(controller) {
   }
 }
 
-/** A call, or a program that is to run beside: begun, if it is here. @param {Effect} effect @param {Controller} controller @returns {boolean | string} why a controller begins nothing */
+/** A call, or a program that is to run beside: begun, if it is here. @param {Effect} effect @param {Controller} controller @returns {boolean | Refusal} */
 function begin(effect, controller) {
   if (effect.kind !== 'call' && effect.kind !== 'run-task') return false;
   const { threads, turn } = controller;
@@ -148,8 +153,10 @@ function begin(effect, controller) {
   }
   const level = levelFor(name, /** @type {Value[]} */ (effect.args ?? []), controller);
   if (!level) return false;
+  if (!goTo(level, firstLine(effect)))
+    return { code: 'line', reason: `${name} has no line ${firstLine(effect)} to begin at` };
   const group = groupFor(controller, effect, name);
-  if ('reason' in group) return group.reason;
+  if ('reason' in group) return group;
   handOver(memoryOf(controller), level.machine.state);
   level.machine.state.task = effect.kind === 'call' ? taskAt(controller) : level.language === 'tp' ? name : undefined;
   level.hasTaken = effect.kind === 'call' && group.isTaken;
@@ -164,6 +171,18 @@ function begin(effect, controller) {
   const free = threads.findIndex(({ isOver }, i) => i > 0 && isOver);
   threads.splice(free < 0 ? threads.length : free, 1, { levels: [level], isOver: false });
   return true;
+}
+
+/** The line at which a program of TP is to begin: 0 is its first. @param {Effect} effect */
+const firstLine = ({ from }) => Number(from) || 1;
+
+/** Programs of KAREL begin at their beginning. @param {Level} level @param {number} line @returns {boolean} whether there is such a line */
+function goTo({ language, machine }, line) {
+  if (language === 'karel') return true;
+  const [frame] = machine.state.frames;
+  const { lines } = /** @type {TpCode} */ (machine.codes.get(frame.program));
+  frame.at = line - 1;
+  return line === 1 || (line > 0 && line <= lines.length);
 }
 
 /** Who calls waits. @param {Controller} controller @returns {Caller | null} null: a TP program, which waits by itself */

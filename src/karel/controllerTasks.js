@@ -5,6 +5,8 @@
  * @import { Controller, Level, Programs, Thread } from './controllerTurns.js'
  * @import { Effect, OtherTask } from './run/machine.js'
  * @import { AlarmText } from './run/values.js'
+ *
+ * @typedef {Pick<AlarmText, 'code' | 'reason'>} Refusal   why a controller begins nothing
  */
 import { levelAt, memoryOf, share } from './controllerTurns.js';
 import { hasGroup } from './interpreter.js';
@@ -119,7 +121,7 @@ function isForGroup({ karel = {}, listings = {} }, name) {
  * @param {Controller} controller
  * @param {Effect} effect   of kind call or run-task
  * @param {string} name     of the program, in capitals
- * @returns {{ isTaken: boolean } | { reason: string }}   isTaken: nobody had it; reason: another task has it, so that a controller
+ * @returns {{ isTaken: boolean } | Refusal}   isTaken: nobody had it; reason: another task has it, so that a controller
  *   begins nothing
  */
 export function groupFor(controller, { kind, mask }, name) {
@@ -128,13 +130,13 @@ export function groupFor(controller, { kind, mask }, name) {
   if (!isWanted) return { isTaken: false };
   const wasFree = arm.holder === null;
   if (takeGroup(arm, kind === 'call' ? taskAt(controller) : name)) return { isTaken: wasFree };
-  return { reason: `${name} is to have the motion group, but ${heldText(arm)}` };
+  return { code: 'motion-group', reason: `${name} is to have the motion group, but ${heldText(arm)}` };
 }
 
-/** A program cannot begin what it asked for. @param {Controller} controller @param {string} reason @param {number} line @returns {AlarmText | null} null: KAREL, which tells by itself */
-export function refuseGroup(controller, reason, line) {
+/** A program cannot begin what it asked for. @param {Controller} controller @param {Refusal} refusal @param {number} line @returns {AlarmText | null} null: KAREL, which tells by itself */
+export function refuse(controller, refusal, line) {
   const level = levelAt(controller, controller.turn);
-  const alarm = { code: 'motion-group', reason, line, routine: level.name };
+  const alarm = { ...refusal, line, routine: level.name };
   if (level.language === 'tp') return alarm;
   abortTask(level.machine, level.machine.state.current, alarm);
   return null;

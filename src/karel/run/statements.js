@@ -257,7 +257,7 @@ function compileCallStatement(statement, compiler) {
   const symbol = compiler.routineNamed(statement.name);
   if (symbol) return emitCall(statement, symbol, -1, compiler);
   const upper = statement.name.toUpperCase();
-  if (upper === 'CALL_PROG') return compileCallProgram(statement.args[0], compiler);
+  if (upper === 'CALL_PROG' || upper === 'CALL_PROGLIN') return compileCallProgram(statement.args, compiler);
   if (upper === 'PEND_SEMA') return compilePend(statement.args, compiler);
   const run = compileCall(statement, compiler);
   const { line } = compiler;
@@ -272,20 +272,27 @@ function compileCallStatement(statement, compiler) {
   if (upper === 'POST_ERR') compilePosted(statement.args[3], compiler);
 }
 
-/** CALL_PROG: a program by its name as text, in this task. @param {Expression} program @param {Compiler} compiler */
-function compileCallProgram(program, compiler) {
-  const name = compileExpression(program, compiler);
+/**
+ * CALL_PROG: a program by its name as text, in this task; CALL_PROGLIN: one of TP from a line on, and paused before that if asked.
+ * @param {readonly Expression[]} args @param {Compiler} compiler
+ */
+function compileCallProgram(args, compiler) {
+  const name = compileExpression(args[0], compiler);
+  const [from, pause] = args.length < 4 ? [] : [args[1], args[3]].map((node) => compileExpression(node, compiler));
   const { line } = compiler;
   const next = compiler.here() + 1;
   compiler.emit((machine, frame) => {
     const called = text(name(machine, frame)).toUpperCase();
+    const asked = from && { from: number(from(machine, frame)), isPaused: pause?.(machine, frame) === true };
     frame.pc = next;
     if (linkedProgram(machine, called) < 0) {
-      machine.effect = { kind: 'call', program: called, args: [], line };
+      machine.effect = { kind: 'call', program: called, args: [], ...asked, line };
       return HALT;
     }
     const { state, image } = machine;
     pushFrame(machine, state.tasks[state.current], image.entries[`${called}.`], [], -1);
-    return SWITCH;
+    if (!asked?.isPaused) return SWITCH;
+    machine.effect = { kind: 'pause', line };
+    return HALT;
   });
 }

@@ -63,7 +63,7 @@ export function ownTask(machine, index) {
 export const isOfGroup = (mask) => (number(mask) & 1) === 1;
 
 /** @type {Builtin} */
-const runTask = ([name, , , , mask, status], machine) => {
+const runTask = ([name, line, , , mask, status], machine) => {
   const { state, linker, image } = machine;
   const program = text(name).toUpperCase();
   const running = taskNamed(machine, program);
@@ -74,7 +74,8 @@ const runTask = ([name, , , , mask, status], machine) => {
   if (isOfGroup(mask) && state.arm.holder !== null) return put(status, GROUP_IS_HELD);
   put(status, 0);
   // A TP program, or one that nobody has here.
-  if (index < 0) return void (machine.effect = { kind: 'run-task', program, args: [], mask: number(mask) });
+  if (index < 0)
+    return void (machine.effect = { kind: 'run-task', program, args: [], from: number(line), mask: number(mask) });
   const before = state.tasks.find((task) => task.name === program);
   const task = before ?? newTask(program);
   if (!before) state.tasks.push(task);

@@ -65,6 +65,7 @@ export function execute({ instruction: node, span }, machine, frame, code) {
       return beginLoop(node, machine, frame, code);
     case 'endfor': {
       const begin = blockEnd(here, code);
+      if (frame.limits[begin] === undefined) throw new Alarm('the FOR of this ENDFOR has not run', 'block');
       const loop = /** @type {TpFor} */ (code.lines[begin].instruction);
       const index = indexOf(loop.variable, machine, frame);
       const step = loop.down ? -1 : 1;

@@ -1,11 +1,12 @@
 /**
  * Where code would take the arm, without taking it there: its motions from where the arm stands, each with the lines that it belongs
- * to, in its own program and in those that called it. Inputs are taken to come.
+ * to, in its own program and in those that called it. Inputs are taken to come; registers hold what a person gave them.
  *
  * @import { CodeRun } from './codeDebugger.js'
  * @import { Doc, ProgramDoc } from '../document.js'
  * @import { Chain } from '../../kinematics/chain.js'
  * @import { CodePath } from './codeScene.js'
+ * @import { RegisterSetting } from './givenRegisters.js'
  *
  * @typedef {object} PreviewMove
  * @property {readonly { readonly id: string, readonly line: number }[]} lines   of the document's programs, the outermost first
@@ -34,9 +35,10 @@ const PLACES = 24;
 /**
  * @param {Doc} doc
  * @param {string} id  of the program; one that another calls is looked at where that calls it
+ * @param {readonly RegisterSetting[]} [given]
  * @returns {Generator<void, Preview, void>}  a turn for each motion
  */
-export function* previewOf(doc, id) {
+export function* previewOf(doc, id, given = []) {
   /** @type {PreviewMove[]} */
   const moves = [];
   /** @type {PreviewFault[]} */
@@ -60,6 +62,7 @@ export function* previewOf(doc, id) {
   if (!('run' in made) && caller !== id) made = begin(id);
   if (!('run' in made)) return preview;
   const { run } = made;
+  for (const setting of given) run.setRegister(...setting);
   /** Where the arm is after a motion that cannot be made is not known. */
   let isLost = false;
   for (let effects = 0; effects < MOST_EFFECTS && moves.length < MOST_MOVES; effects++) {

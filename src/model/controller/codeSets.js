@@ -54,7 +54,7 @@ function fanucSet(programs, chosen) {
     .filter(({ language }) => language !== 'krl')
     .map((program) => ({ program, name: nameIn(program) }));
   const calls = (/** @type {ProgramDoc} */ { text }, /** @type {string} */ name) =>
-    new RegExp(`(?:FROM\\s+|CALL_PROG\\s*\\(\\s*'|CALL\\s+)${name}\\b`, 'i').test(text);
+    new RegExp(`(?:FROM\\s+|(?:CALL_PROG(?:LIN)?|RUN_TASK)\\s*\\(\\s*'|CALL\\s+)${name}\\b`, 'i').test(text);
   const caller = known.find(({ program }) => program !== chosen && calls(program, nameIn(chosen)))?.program;
   const set = [caller ?? chosen];
   for (const one of set)

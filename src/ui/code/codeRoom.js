@@ -67,12 +67,13 @@ export function createCodeRoom(page, host, { openProgram, onAdded, version, toda
 
   const control = createRunControl(page, {
     onChange: () => whenLetGo(drawRun),
+    onGiven: check,
     isBreakpoint: ({ id, line: at }) => (stops.get(id) ?? []).includes(at),
   });
   const controls = createCodeControls(control, press);
   fill(host, controls.element, editorHost, problemLine, runHost, simulated);
   const runView = createRunView(runHost, control);
-  const previewer = createPreviewer(page, () => {
+  const previewer = createPreviewer(page, control.given, () => {
     showProblems();
     showGhost();
   });

@@ -4,6 +4,7 @@
  *
  * @import { Preview } from '../../model/code/codePreview.js'
  * @import { Page } from '../page.js'
+ * @import { RunControl } from './runControl.js'
  */
 import { moveOfLine, pathOf, previewOf } from '../../model/code/codePreview.js';
 import { CODE } from '../words/code.js';
@@ -12,8 +13,8 @@ import { CODE } from '../words/code.js';
 const IDLE = 0.5;
 const LONGEST_TURN = 0.008;
 
-/** @param {Page} page @param {() => void} onFound */
-export function createPreviewer({ store, clock, messages }, onFound) {
+/** @param {Page} page @param {RunControl['given']} given @param {() => void} onFound */
+export function createPreviewer({ store, clock, messages }, given, onFound) {
   /** @type {Preview | null} */
   let preview = null;
   let id = '';
@@ -24,7 +25,7 @@ export function createPreviewer({ store, clock, messages }, onFound) {
 
   /** @param {number} number  of the question */
   function begin(number) {
-    const finding = previewOf(store.state.doc, id);
+    const finding = previewOf(store.state.doc, id, given());
     const next = () => {
       if (number !== asked) return;
       try {

@@ -29,9 +29,10 @@ const AT_ONCE = 25;
  * @param {Page} page
  * @param {object} acts
  * @param {() => void} acts.onChange      something of the run is another
+ * @param {() => void} acts.onGiven       a register has a value that the next run finds
  * @param {(place: Place) => boolean} acts.isBreakpoint
  */
-export function createRunControl({ store, clock, announce, messages }, { onChange, isBreakpoint }) {
+export function createRunControl({ store, clock, announce, messages }, { onChange, onGiven, isBreakpoint }) {
   /** @type {CodeRun | null} */
   let run = null;
   /** @type {Mode} */
@@ -281,6 +282,7 @@ export function createRunControl({ store, clock, announce, messages }, { onChang
       if (run && mode !== 'running') {
         given.note(run, [bank, index, slot, value]);
         run.setRegister(bank, index, slot, value);
+        onGiven();
       }
       onChange();
     },

@@ -263,10 +263,10 @@ test('signals that programs name are listed with what they are called, by the wo
 const P = (/** @type {number} */ number, /** @type {number} */ j1) =>
   `P[${number}]{\n   GP1:\n\tUF : 0, UT : 0,\n\tJ1= ${j1} deg,\tJ2= -20 deg,\tJ3= 0 deg,\tJ4= 0 deg,\tJ5= -30 deg,\tJ6= 0 deg\n};`;
 
-/** @param {readonly ProgramDoc[]} programs @param {string} [id] */
-function previewed(programs, id = programs[0].id) {
+/** @param {readonly ProgramDoc[]} programs @param {string} [id] @param {Parameters<typeof previewOf>[2]} [given] */
+function previewed(programs, id = programs[0].id, given = []) {
   const doc = { ...newDocument(firstRobot), programs };
-  const finding = previewOf(doc, id);
+  const finding = previewOf(doc, id, given);
   for (;;) {
     const next = finding.next();
     if (next.done) return next.value;
@@ -311,6 +311,20 @@ test('where code leads: the end of each line, also of a line that calls, and wha
   // one that is called leads where its caller has it; where that is faulty, where it leads by itself
   expect(previewed([main, sub], 'sub').moves).toHaveLength(4);
   expect(previewed([tp(listing(['CALL SUB', 'JMP LBL[9]'], [], { name: 'MAIN' })), sub], 'sub').moves).toHaveLength(1);
+});
+
+test('where code leads with registers that a person has set', () => {
+  const main = tp(listing(['IF R[1]<>2,JMP LBL[1]', 'J P[1] 100% FINE', 'LBL[1]', 'J PR[3] 100% FINE'], [P(1, 20)]));
+  expect(previewed([main]).faults.map(({ message }) => message)).toEqual(['R[1] has no value']);
+  const { moves, faults } = previewed([main], 'main', [
+    ['R', 1, 0, 2],
+    ['PR', 3, 0, 400],
+    ['PR', 3, 2, 300],
+  ]);
+  expect(faults).toEqual([]);
+  expect(moves.map(({ way }) => [...way[way.length - 1]].map((value) => Number(value.toFixed(6))))[1]).toEqual([
+    ...[0.4, 0, 0.97183], // FANUC's world is at the height of axis 2: 671.83 mm
+  ]);
 });
 
 test('a program that never ends, one that is faulty and one that stops are looked at as far as they go', () => {

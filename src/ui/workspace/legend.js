@@ -9,7 +9,7 @@
 import { fill, h } from '../parts/dom.js';
 import { compact, fixed } from '../parts/format.js';
 import { WORKSPACE } from '../words/workspace.js';
-import { lengthSign, shortNumber } from './measures.js';
+import { lengthSign, tickText } from './measures.js';
 
 const WORDS = WORKSPACE.volume;
 
@@ -26,9 +26,9 @@ function unitFor(colour, units, isFlat) {
   return colour === 'postures' ? '' : '%';
 }
 
-/** @param {ReachColour} colour @param {Units} units */
-function writer(colour, units) {
-  if (colour === 'height') return (/** @type {number} */ value) => shortNumber(value, units);
+/** @param {ReachColour} colour @param {Units} units @param {number} step  between two of them */
+function writer(colour, units, step) {
+  if (colour === 'height') return (/** @type {number} */ value) => tickText(value, step, units);
   if (colour === 'manipulability')
     return (/** @type {number} */ value) => compact(Number(value.toPrecision(3)), WIDEST).text;
   if (colour === 'postures') return (/** @type {number} */ value) => fixed(value, 0);
@@ -86,8 +86,8 @@ export function createLegend() {
    * @param {string} unit
    */
   function write({ least, most, isCount, shares }, colour, units, unit) {
-    const text = writer(colour, units);
     const parts = shares.length;
+    const text = writer(colour, units, (most - least) / parts);
     const at = (/** @type {number} */ i) => least + ((most - least) * i) / (isCount ? Math.max(1, parts - 1) : parts);
     const marks = Array.from({ length: isCount || most === least ? parts : parts + 1 }, (_, i) => text(at(i)));
     ticks.classList.toggle('is-count', isCount || most === least);

@@ -51,7 +51,7 @@ export const lengthText = (metres, units) =>
 export const shortLength = (metres, units) => withUnit(shortNumber(metres, units), units.length);
 
 /** The same without its unit. @param {number} metres @param {Units} units */
-export const shortNumber = (metres, units) =>
+const shortNumber = (metres, units) =>
   compact(Number(fromKernel('length', metres, units).toPrecision(SHORT)), WIDEST).text;
 
 /** @param {Units} units */

@@ -18,7 +18,7 @@ import { placeOf } from './placeOf.js';
 
 /** Of the drawing, in its own pixels. */
 const SIZE = { width: 372, height: 320 };
-const ROOM = { left: 46, right: 8, top: 8, bottom: 34 };
+const ROOM = { left: 46, right: 18, top: 8, bottom: 34 };
 const INNER = { width: SIZE.width - ROOM.left - ROOM.right, height: SIZE.height - ROOM.top - ROOM.bottom };
 const MIDDLE = { x: ROOM.left + INNER.width / 2, y: ROOM.top + INNER.height / 2 };
 

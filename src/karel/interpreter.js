@@ -30,6 +30,7 @@ import { scanHandlers } from './run/occurrences.js';
 import {
   currentLine,
   DEFAULT_STEPS,
+  fileAt,
   finishMotion,
   passTime,
   pushFrame,
@@ -142,6 +143,11 @@ function runTurn(machine, most) {
     const { effect } = machine;
     machine.effect = null;
     if (how === 'slice') return { kind: 'turn', line: currentLine(machine) };
+    if (effect) {
+      const frame = task.frames.at(-1);
+      const file = fileAt(machine, frame, (frame?.pc ?? 0) - 1);
+      if (file !== undefined) effect.file = file;
+    }
     if (how !== 'over') return effect;
     endTask(machine, machine.state.current);
     return null;
@@ -149,8 +155,9 @@ function runTurn(machine, most) {
     if (!(alarm instanceof Alarm)) throw alarm;
     const frame = task.frames.at(-1);
     const routine = frame ? machine.image.codes[frame.code].name : '';
-    const line = currentLine(machine);
-    abortTask(machine, machine.state.current, { code: alarm.code, reason: alarm.message, line, routine });
+    const file = fileAt(machine, frame);
+    const at = { line: currentLine(machine), routine, ...(file !== undefined && { file }) };
+    abortTask(machine, machine.state.current, { code: alarm.code, reason: alarm.message, ...at });
     return null;
   }
 }

@@ -50,12 +50,12 @@ export function* parseInSlices(text, { files = {} } = {}) {
  * The text of an included file, as what it is included into.
  * @param {string} text
  * @param {'constants' | 'types' | 'variables' | 'fields' | 'declarations' | 'statements'} where
- * @param {{ files?: Files }} [options]
+ * @param {{ files?: Files, name?: string }} [options]  name: of the file, by which it is included
  */
-export function parseIncluded(text, where, { files = {} } = {}) {
+export function parseIncluded(text, where, { files = {}, name } = {}) {
   /** @type {Diagnostic[]} */
   const diagnostics = [];
-  const cursor = finished(cursorOf(preprocess(text, files, diagnostics), diagnostics));
+  const cursor = finished(cursorOf(preprocess(text, files, diagnostics, name), diagnostics));
   const bare = /** @type {const} */ (true);
   /** @type {(Declaration | Statement)[]} */
   const parts = [];

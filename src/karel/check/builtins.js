@@ -2,7 +2,7 @@
  * The built-in routines and functions: one table for the checker, the interpreter and whoever offers names while typing.
  *
  * A line is a name, parameters, and behind > what a function gives. A parameter is `name:type`, with * before it where the
- * variable is set, and ? where it may be left out. Types: I integer, R real, N either, S string, B boolean, P any position,
+ * variable is set, ~ where the controller keeps something in it, and ? where it may be left out. Types: I integer, R real, N either, S string, B boolean, P any position,
  * J joint values, K a Cartesian position, V vector, C config, A array, L one of REAL, H path, F file, X anything.
  *
  * From the public record of the language; where the sources disagree, the entry says so. ATAN2 takes (x, y) here, by
@@ -61,8 +61,8 @@ SET_PREG_CMT number:I text:S *status:I
 GET_SREG_CMT number:I *text:S *status:I
 SET_SREG_CMT number:I text:S *status:I
 GET_TPE_PRM number:I *type:I *integer:I *real:R *text:S *status:I
-CALL_PROG name:S index:I
-CALL_PROGLIN name:S line:I index:I pause:B
+CALL_PROG name:S ~index:I
+CALL_PROGLIN name:S line:I ~index:I pause:B
 CURR_PROG > S
 RUN_TASK name:S line:I pause:B motion:B mask:I *status:I
 ABORT_TASK name:S force:B cancel:B *status:I
@@ -142,7 +142,7 @@ const WITHOUT_SIGNATURE = new Set(
 );
 
 /**
- * @typedef {{ name: string, type: string, isSet: boolean, isOptional: boolean }} Parameter
+ * @typedef {{ name: string, type: string, isSet: boolean, isKept: boolean, isOptional: boolean }} Parameter
  * @typedef {{ name: string, parameters: readonly Parameter[], gives: string | null }} Builtin
  */
 
@@ -154,8 +154,8 @@ export const BUILTINS = new Map(
       const [head, gives = null] = line.split(' > ');
       const [name, ...list] = head.trim().split(' ');
       const parameters = list.map((text) => {
-        const [, mark, parameter, type] = /^([*?]?)(\w+):(\w)$/.exec(text) ?? [];
-        return { name: parameter, type, isSet: mark === '*', isOptional: mark === '?' };
+        const [, mark, parameter, type] = /^([*?~]?)(\w+):(\w)$/.exec(text) ?? [];
+        return { name: parameter, type, isSet: mark === '*', isKept: mark === '~', isOptional: mark === '?' };
       });
       return [name, { name, parameters, gives: gives?.trim() ?? (head.startsWith('CURR_PROG') ? 'S' : null) }];
     }),

@@ -107,7 +107,8 @@ function typeOfBuiltin(node, args, builtin, context) {
           arg.span,
           'warning',
         );
-    } else if (builtin.name === 'UNINIT' || parameter.type === 'H' || parameter.type === 'F') markSet(arg, context);
+    } else if (builtin.name === 'UNINIT' || parameter.isKept || parameter.type === 'H' || parameter.type === 'F')
+      markSet(arg, context);
     if (!isOfType(args[i], parameter.type, parameter.isSet)) {
       context.scope.report(
         'argument-type',

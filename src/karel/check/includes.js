@@ -60,8 +60,8 @@ function included({ path, span = NOWHERE }, place, inclusion) {
     return warn(`Expected at most ${MAX_FILES} files; "${path}" and all further ones are left out.`);
   if (inclusion.depth >= MAX_DEPTH)
     return warn(`Expected at most ${MAX_DEPTH} files inside each other; "${path}" is left out.`);
-  const { tree, diagnostics } = parseIncluded(text, place, { files: inclusion.files });
-  inclusion.diagnostics.push(...diagnostics.map((one) => ({ ...one, span: { file: path, ...one.span } })));
+  const { tree, diagnostics } = parseIncluded(text, place, { files: inclusion.files, name: path });
+  inclusion.diagnostics.push(...diagnostics);
   inclusion.depth++;
   const list = parts(tree.parts, place, inclusion);
   inclusion.depth--;

@@ -166,7 +166,9 @@ function readCall({ name, args, byValue = [] }, way, walk) {
   const builtin = isOwn ? undefined : BUILTINS.get(upper);
   for (const [i, arg] of args.entries()) {
     const parameter = builtin?.parameters[i];
-    const isRead = builtin ? parameter && !parameter.isSet && !/^[AHFLX]$/.test(parameter.type) : byValue.includes(i);
+    const isRead = builtin
+      ? parameter && !parameter.isSet && !parameter.isKept && !/^[AHFLX]$/.test(parameter.type)
+      : byValue.includes(i);
     if (isRead || !isDesignator(arg)) readAll(arg, way, walk);
     else put(arg, way, walk);
   }

@@ -23,16 +23,18 @@ const USES_IT = new RegExp(String.raw`^%[ \t]*(?:(?:${WORDS})\b|include[ \t]+["'
  * @param {string} text
  * @param {Readonly<Record<string, string>>} files
  * @param {Diagnostic[]} diagnostics
+ * @param {string} [name]  of the text, where it is in another file than the one that is looked at
  * @returns {Preprocessed & { hasGaps: boolean, generated: (Preprocessed & { name: string })[] }}  whether something that the
  *   text wants is not at hand; the programs that `%class` makes
  */
-export function preprocess(text, files, diagnostics) {
+export function preprocess(text, files, diagnostics, name) {
   if (!USES_IT.test(text)) {
     const starts = lineStarts(text);
     const locate = (/** @type {number} */ start, /** @type {number} */ end) => ({
       start,
       end,
       ...placeOf(starts, start),
+      ...(name !== undefined && { file: name }),
     });
     return { text, macros: false, locate, hasGaps: false, generated: [] };
   }
@@ -55,7 +57,7 @@ export function preprocess(text, files, diagnostics) {
   };
   /** @type {Generated[]} */
   const generated = [];
-  const whole = expandProgram(sources.read(undefined, text), host, generated);
+  const whole = expandProgram(sources.read(name, text), host, generated);
   const done = (/** @type {Marked} */ marked) => ({
     text: marked.text,
     macros: true,

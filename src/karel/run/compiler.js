@@ -25,6 +25,7 @@ export function createCompiler(linker, analysis, code, routine) {
     code,
     routine,
     line: 0,
+    file: /** @type {string | undefined} */ (undefined),
     labels: new Map(),
     jumps: /** @type {{ at: number, label: string }[]} */ ([]),
     slots: () => slots,
@@ -32,7 +33,12 @@ export function createCompiler(linker, analysis, code, routine) {
     /** @param {Instruction} instruction @returns {number} where it is */
     emit(instruction) {
       code.lines.push(compiler.line);
+      code.files.push(compiler.file);
       return code.instructions.push(instruction) - 1;
+    },
+    /** What follows is of this place in the text. @param {{ line: number, file?: string } | undefined} span */
+    at(span) {
+      if (span) [compiler.line, compiler.file] = [span.line, span.file];
     },
     here: () => code.instructions.length,
     /** @param {Expression | object} node */

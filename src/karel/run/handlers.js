@@ -61,11 +61,12 @@ export function compileClauses(clauses, cancels, compiler, compileBody, isOfMove
       slots: 0,
       instructions: [],
       lines: [],
+      files: [],
       initial: [],
     };
     const inner = createCompiler(compiler.linker, compiler.analysis, code, null);
     if (isOfMove) inner.temporary = compiler.temporary;
-    inner.line = clause.span?.line ?? compiler.line;
+    inner.at(clause.span ?? compiler);
     image.codes.push(code);
     const index = image.codes.length - 1;
     compileBody(clause.actions, inner);

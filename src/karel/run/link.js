@@ -56,6 +56,7 @@ function* addProgram(tree, linker) {
       slots: routine?.slots ?? 0,
       instructions: [],
       lines: [],
+      files: [],
       initial: initialValues(routine),
     };
     linker.image.entries[entry(routine ? name : '')] = linker.image.codes.length;
@@ -73,7 +74,7 @@ function* addProgram(tree, linker) {
     }
     yield* inPieces(body, (piece) => compileBody(piece, compiler));
     const needsValue = compiler.routine && compiler.routine.returns.kind !== 'NOTHING';
-    compiler.line = body.at(-1)?.span?.line ?? compiler.routine?.node?.span?.line ?? 0;
+    compiler.at(body.at(-1)?.span ?? compiler.routine?.node?.span);
     compiler.emit(needsValue ? missingReturn : returnNothing);
     code.slots = Math.max(code.slots, compiler.slots());
   }

@@ -14,6 +14,7 @@
  * @property {number} slots
  * @property {Instruction[]} instructions
  * @property {number[]} lines
+ * @property {(string | undefined)[]} files   those that %INCLUDE has brought, where the lines are in such
  * @property {((machine: Machine) => Value)[]} initial  by slot: what a local holds at first
  *
  * @typedef {object} Frame
@@ -67,7 +68,7 @@
  * @property {{ kind: string, port: string, index: number, value: boolean, at: number }[]} pulses
  * @property {Arm} arm
  *
- * @typedef {{ kind: string, line?: number, [detail: string]: unknown }} Effect
+ * @typedef {{ kind: string, line?: number, file?: string, [detail: string]: unknown }} Effect  file: that %INCLUDE has brought, where the line is in one
  * @typedef {{ kind: 'idle', until: number, line: number, [detail: string]: unknown }} Idle  whoever says so has nothing to do until then
  * @typedef {{ codes: Code[], handlers: CompiledHandler[], entries: Record<string, number> }} Image
  * @typedef {{ conditions: ConditionTest[], actions: number[], lines: number[] }} CompiledHandler  actions: codes, or CANCELS
@@ -184,6 +185,10 @@ export function currentLine({ state, image }) {
   const frame = state.tasks[state.current]?.frames.at(-1);
   return frame ? (image.codes[frame.code].lines[frame.pc] ?? 0) : 0;
 }
+
+/** The file that %INCLUDE has brought, where an instruction is in one. @param {Machine} machine @param {Frame | undefined} frame @param {number} [pc] */
+export const fileAt = ({ image }, frame, pc = frame?.pc ?? 0) =>
+  frame ? image.codes[frame.code].files[pc] : undefined;
 
 /** Push a routine onto a task. @param {Machine} machine @param {Task} task @param {number} code @param {Value[]} args references @param {number} result @param {Value[]} [shared]  instead of locals of its own */
 export function pushFrame(machine, task, code, args, result, shared) {

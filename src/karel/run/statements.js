@@ -20,7 +20,7 @@ import { Alarm, copied, number, single, text, truth } from './values.js';
 /** @param {readonly Statement[]} body @param {Compiler} compiler */
 export function compileBody(body, compiler) {
   for (const statement of body) {
-    compiler.line = statement.span?.line ?? compiler.line;
+    compiler.at(statement.span);
     if (compiler.linker.host.traceSteps && statement.kind !== 'comment' && statement.kind !== 'directive')
       emitStep(compiler);
     compileStatement(statement, compiler);
@@ -67,7 +67,7 @@ function compileStatement(statement, compiler) {
     case 'repeat': {
       const start = compiler.here();
       compileBody(statement.body, compiler);
-      compiler.line = statement.until.span?.line ?? compiler.line;
+      compiler.at(statement.until.span);
       emitBranch(statement.until, compiler).to(start);
       return;
     }

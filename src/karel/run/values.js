@@ -6,7 +6,7 @@
  *
  * @import { Type } from '../check/types.js'
  * @typedef {unknown} Value
- * @typedef {{ code: string, reason: string, line: number, routine: string }} AlarmText
+ * @typedef {{ code: string, reason: string, line: number, routine: string, file?: string }} AlarmText  file: one that %INCLUDE has brought
  * @typedef {{ holder: Record<string | number, Value>, key: string | number, most?: number }} Reference  most: characters of a string
  */
 import { countOf } from '../check/types.js';

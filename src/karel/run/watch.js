@@ -48,7 +48,7 @@ export function evaluateIn(machine, text) {
   const type = typeOfExpression(read.node, context);
   if (faults.length > 0) return { fault: faults[0] };
   /** @type {Code} */
-  const code = { name: '', program: where.program, slots: 0, instructions: [], lines: [], initial: [] };
+  const code = { name: '', program: where.program, slots: 0, instructions: [], lines: [], files: [], initial: [] };
   const compiler = {
     ...createCompiler(/** @type {Linker} */ (linker), analysis, code, routine),
     typeOf: (/** @type {object} */ node) => context.typeOf.get(node) ?? UNKNOWN,

@@ -11,8 +11,11 @@
 import { checkKarel } from '../../karel/checker.js';
 import { isKrlData, parseKrl } from '../../karel/krl/parser.js';
 import { parseKarel } from '../../karel/parser.js';
+import { includesOf, keyOf } from '../../karel/preprocess/files.js';
+import { lineStarts, placeOf } from '../../karel/scan/places.js';
 import { checkTp } from '../../karel/tp/checker.js';
 import { parseTp } from '../../karel/tp/parser.js';
+import { includerOf } from '../controller/codeSets.js';
 import { ASSUMED } from './codeOffsets.js';
 
 /** More than a person reads. */
@@ -23,21 +26,22 @@ const MOST_PROBLEMS = 200;
  * @param {ProgramDoc} program              the one that is looked at
  * @returns {Problem[]} in the order of the text
  */
-export function problemsOf(programs, { language, text }) {
-  const diagnostics = DIAGNOSTICS[language](text, programs);
+export function problemsOf(programs, { id, language, text }) {
+  const now = programs.map((one) => (one.id === id ? { ...one, text } : one));
+  const diagnostics = DIAGNOSTICS[language](text, now, id);
   return diagnostics
     .slice(0, MOST_PROBLEMS)
     .map((one) => placed(one, text))
     .sort((a, b) => a.from - b.from);
 }
 
-/** @type {Readonly<Record<ProgramDoc['language'], (text: string, programs: readonly ProgramDoc[]) => readonly Diagnostic[]>>} */
+/** @type {Readonly<Record<ProgramDoc['language'], (text: string, programs: readonly ProgramDoc[], id: string) => readonly Diagnostic[]>>} */
 const DIAGNOSTICS = {
-  karel(text, programs) {
-    const files = Object.fromEntries(programs.map(({ id, text: of }) => [id, of]));
-    const { tree, diagnostics, hasGaps } = parseKarel(text, { files });
-    const isSound = !diagnostics.some(({ severity }) => severity === 'error');
-    return isSound ? [...diagnostics, ...checkKarel(tree, { files, hasGaps }), ...deprecated(tree)] : diagnostics;
+  karel(text, programs, id) {
+    const { tree, diagnostics } = parseKarel(text, { files: filesOf(programs) });
+    if (diagnostics.some(isError)) return diagnostics;
+    const whole = tree.kind === 'fragment' && inItsProgram(programs, id);
+    return [...(whole || checked(text, programs)), ...deprecated(tree)];
   },
   'fanuc-tp'(text) {
     const { tree, diagnostics } = parseTp(text);
@@ -48,6 +52,31 @@ const DIAGNOSTICS = {
     return parseKrl('', text).datDiagnostics;
   },
 };
+
+/** @param {readonly ProgramDoc[]} programs */
+const filesOf = (programs) => Object.fromEntries(programs.map(({ id, text }) => [id, text]));
+
+/** @param {Diagnostic} diagnostic */
+const isError = ({ severity }) => severity === 'error';
+
+/** @param {string} text @param {readonly ProgramDoc[]} programs @returns {readonly Diagnostic[]} */
+function checked(text, programs) {
+  const files = filesOf(programs);
+  const { tree, diagnostics, hasGaps } = parseKarel(text, { files });
+  return [...diagnostics, ...(diagnostics.some(isError) ? [] : checkKarel(tree, { files, hasGaps }))];
+}
+
+/** What is against a text where a program includes it, which knows more names than it does. @param {readonly ProgramDoc[]} programs @param {string} id @returns {Diagnostic[] | null} null: no program does */
+function inItsProgram(programs, id) {
+  const part = programs.find((one) => one.id === id);
+  const program = part && includerOf(programs, part);
+  if (!program) return null;
+  const ids = programs.map((one) => one.id);
+  const isHere = (/** @type {Diagnostic} */ { span }) => span.file !== undefined && keyOf(ids, span.file) === id;
+  return checked(program.text, programs).flatMap((one) =>
+    isHere(one) ? [{ ...one, span: { ...one.span, file: undefined } }] : [],
+  );
+}
 
 /** Statements that controllers since R-30iA are not to run. @param {object} tree @returns {Diagnostic[]} */
 function deprecated(tree) {
@@ -71,10 +100,13 @@ function deprecated(tree) {
 const MOVE_CODE = 'deprecated-move';
 const DEPRECATED = 'MOVE is deprecated since R-30iA: a controller may refuse it, or move unexpectedly. It runs here.';
 
-/** One in a file that is included stands at the beginning. @param {Diagnostic} diagnostic @param {string} text @returns {Problem} */
+/** One in a file that is included stands where that is. @param {Diagnostic} diagnostic @param {string} text @returns {Problem} */
 function placed({ severity, code, message, span }, text) {
-  const isElsewhere = 'file' in span && span.file !== undefined;
-  if (isElsewhere) return { from: 0, to: 0, line: 1, severity, message: `${span.file}, line ${span.line}: ${message}` };
+  if (span.file !== undefined) {
+    const [{ from, to } = { from: 0, to: 0 }] = includesOf(text).filter(({ path }) => path === span.file);
+    const { line } = placeOf(lineStarts(text), from);
+    return { from, to, line, severity, message: `${span.file}, line ${span.line}: ${message}` };
+  }
   const from = Math.min(span.start, text.length);
   const to = Math.min(Math.max(span.end, from), text.length);
   return {

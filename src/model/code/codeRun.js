@@ -14,6 +14,7 @@
 import { createController, goOn, restoreController, saveController } from '../../karel/controller.js';
 import { levelAt, levelsOf, memoryOf } from '../../karel/controllerTurns.js';
 import { debugged } from './codeDebugger.js';
+import { keyOf } from '../../karel/preprocess/files.js';
 import { readPrograms } from './codePrograms.js';
 import { setRegister } from './givenRegisters.js';
 import { registerTexts, variablesOf, watched } from './codeShown.js';
@@ -21,6 +22,15 @@ import { createKrlRun } from './krlRun.js';
 
 /** Instructions, before a program is taken to be endless. */
 const MOST_STEPS = 50_000_000;
+/** @type {Diagnostic} of a text that others include */
+const NO_PROGRAM = {
+  ...{
+    severity: 'error',
+    code: 'no-program',
+    message: 'Expected PROGRAM: this text can only be included by a program.',
+  },
+  span: { start: 0, end: 0, line: 1, column: 1 },
+};
 /** Tasks of a program at most, to tell those of different programs apart. */
 const TASKS = 100;
 
@@ -40,6 +50,7 @@ export function createCodeRun(programs, id, arm, system = {}, how = {}) {
   const main = read.find((one) => one.id === id);
   if (!main) throw new RangeError(`Expected the name of a program, got "${id}".`);
   if (main.errors().length > 0) return { diagnostics: main.errors() };
+  if (main.language === 'karel' && main.tree.kind === 'fragment') return { diagnostics: [NO_PROGRAM] };
   /** @type {Record<string, Program>} */
   const karel = {};
   /** @type {Record<string, TpListing>} */
@@ -73,15 +84,17 @@ export function createCodeRun(programs, id, arm, system = {}, how = {}) {
   );
   if (controller.refusal) return { diagnostics: controller.refusal.diagnostics ?? [] };
   Object.assign(memoryOf(controller).system, system);
-  return { run: debugged(fanuc(controller, read)) };
+  return { run: debugged(fanuc(controller, read, Object.keys(sources))) };
 }
 
-/** @param {ReturnType<typeof createController>} controller @param {ReturnType<typeof readPrograms>} read @returns {Debugged<ReturnType<typeof saveController>>} */
-function fanuc(controller, read) {
+/** @param {ReturnType<typeof createController>} controller @param {ReturnType<typeof readPrograms>} read @param {readonly string[]} ids  of all texts @returns {Debugged<ReturnType<typeof saveController>>} */
+function fanuc(controller, read, ids) {
   const top = () => /** @type {Level} */ (levelsOf(controller).at(-1));
   const readOf = (/** @type {string} */ program) =>
     read.find(({ name }) => name.toUpperCase() === program.toUpperCase());
-  const idOf = (/** @type {string} */ program) => readOf(program)?.id ?? '';
+  /** Text that %INCLUDE has brought is in a file of its own. */
+  const idOf = (/** @type {string} */ program, /** @type {string | undefined} */ file) =>
+    (file !== undefined && keyOf(ids, file)) || (readOf(program)?.id ?? '');
   return {
     *go() {
       const ended = yield* goOn(controller);
@@ -94,11 +107,11 @@ function fanuc(controller, read) {
       const level = levels[levels.length - 1];
       const below = levels.slice(0, -1).reduce((sum, one, i) => sum + framesOf(one, levels[i + 1]).length, 0);
       const frames = framesOf(level);
-      const { program, routine } = frames[frames.length - 1];
+      const { program, routine, file } = frames[frames.length - 1];
       const { current = 0 } = level.language === 'karel' ? level.machine.state : {};
       const { thread } = controller.told;
       const task = current === 0 && thread === 0 ? 0 : TASKS * (TASKS * thread + levels.length) + current;
-      return { id: idOf(program), program, routine, line, depth: below + frames.length, task };
+      return { id: idOf(program, file), program, routine, line, depth: below + frames.length, task };
     },
     faultAt({ program }) {
       const [fault] = readOf(program)?.errors() ?? [];
@@ -107,7 +120,7 @@ function fanuc(controller, read) {
     frames: () =>
       levelsOf(controller)
         .flatMap((level, i, all) => framesOf(level, all[i + 1]))
-        .map((frame) => ({ ...frame, id: idOf(frame.program) })),
+        .map(({ file, ...frame }) => ({ ...frame, id: idOf(frame.program, file) })),
     memory: () => /** @type {ReturnType<Debugged<unknown>['memory']>} */ (memoryOf(controller)),
     variables: () => variablesOf(top()),
     registers: () => registerTexts(memoryOf(controller)),
@@ -132,7 +145,7 @@ function refusalOf({ program, diagnostics = [] }) {
   return /** @type {const} */ ({ status: 'alarm', alarm: { code: 'faulty', reason, line: 0, routine: program } });
 }
 
-/** Routines and programs that wait for each other, the outermost first. @param {Level} level @param {Level} [called]  by it */
+/** Routines and programs that wait for each other, the outermost first. @param {Level} level @param {Level} [called]  by it @returns {{ program: string, routine: string, line: number, file?: string }[]} */
 function framesOf(level, called) {
   if (level.language === 'tp') {
     const { codes, state } = level.machine;
@@ -144,7 +157,8 @@ function framesOf(level, called) {
   }
   const { state, image, linker } = level.machine;
   return state.tasks[called?.caller?.task ?? state.current].frames.map(({ code, pc }) => {
-    const { name, program, lines } = image.codes[code];
-    return { program: linker.analyses[program].program.name, routine: name, line: lines[pc - 1] ?? 0 };
+    const { name, program, lines, files } = image.codes[code];
+    const at = { line: lines[pc - 1] ?? 0, file: files[pc - 1] };
+    return { program: linker.analyses[program].program.name, routine: name, ...at };
   });
 }

@@ -5,10 +5,13 @@
  * @import { CertificateStatus } from './certificate.js'
  * @import { CodeFile } from '../../karel/write/neutral.js'
  */
+import { includesOf, keyOf } from '../../karel/preprocess/files.js';
 import { certificateStatus, setOf } from './certificate.js';
 
 const EXTENSION = /** @type {const} */ ({ karel: '.kl', 'fanuc-tp': '.ls', krl: '.src' });
 const DATA_LIST = /^\s*DEFDAT\s+(\w+)/im;
+/** Headers and templates of ktransw: their ids end as their names do. */
+const HEADER = /_(kl[htc])$/i;
 const MODULE = /^\s*(?:GLOBAL\s+)?DEF(?:DAT)?\s+(\w+)/im;
 
 /** As a controller wants to have it: a data list of KRL is called after its program. @param {ProgramDoc} program */
@@ -17,6 +20,7 @@ export function fileName({ id, language, text }) {
     const name = MODULE.exec(text)?.[1] ?? id;
     return `${name}${DATA_LIST.test(text) ? '.dat' : '.src'}`;
   }
+  if (language === 'karel' && HEADER.test(id)) return id.toLowerCase().replace(HEADER, '.$1');
   return `${id.toLowerCase()}${EXTENSION[language]}`;
 }
 
@@ -48,6 +52,22 @@ function krlSet(programs, chosen) {
   return [source, data].flatMap((one) => (one ? [one] : []));
 }
 
+/** The program that a text is part of, by %INCLUDE. @param {readonly ProgramDoc[]} programs @param {ProgramDoc} part */
+export const includerOf = (programs, part) =>
+  programs.find((one) => one !== part && /^\s*PROGRAM\b/im.test(one.text) && includedBy(programs, one).includes(part));
+
+/** The texts that one includes, and those that they include. @param {readonly ProgramDoc[]} programs @param {ProgramDoc} program @returns {ProgramDoc[]} */
+export function includedBy(programs, program) {
+  const ids = programs.map(({ id }) => id);
+  const found = [program];
+  for (const { language, text } of found)
+    for (const { path } of language === 'karel' ? includesOf(text) : []) {
+      const one = programs[ids.indexOf(keyOf(ids, path) ?? '')];
+      if (one && !found.includes(one)) found.push(one);
+    }
+  return found.slice(1);
+}
+
 /** @param {readonly ProgramDoc[]} programs @param {ProgramDoc} chosen @returns {ProgramDoc[]} */
 function fanucSet(programs, chosen) {
   const known = programs
@@ -56,9 +76,12 @@ function fanucSet(programs, chosen) {
   const calls = (/** @type {ProgramDoc} */ { text }, /** @type {string} */ name) =>
     new RegExp(`(?:FROM\\s+|(?:CALL_PROG(?:LIN)?|RUN_TASK)\\s*\\(\\s*'|CALL\\s+)${name}\\b`, 'i').test(text);
   const caller = known.find(({ program }) => program !== chosen && calls(program, nameIn(chosen)))?.program;
-  const set = [caller ?? chosen];
-  for (const one of set)
-    for (const { program, name } of known) if (!set.includes(program) && calls(one, name)) set.push(program);
+  const set = [caller ?? includerOf(programs, chosen) ?? chosen];
+  for (const one of set) {
+    const included = includedBy(programs, one);
+    for (const { program, name } of known)
+      if (!set.includes(program) && (calls(one, name) || included.includes(program))) set.push(program);
+  }
   return set;
 }
 

@@ -26,6 +26,7 @@ import { levelAt, memoryOf } from '../../karel/controllerTurns.js';
 import { runKrl } from '../../karel/krl/interpreter.js';
 import { parseKrl } from '../../karel/krl/parser.js';
 import { parseInSlices } from '../../karel/parser.js';
+import { includesOf, keyOf } from '../../karel/preprocess/files.js';
 import { linkInSlices } from '../../karel/run/link.js';
 import { isJoints } from '../../karel/run/positions.js';
 import { checkTp } from '../../karel/tp/checker.js';
@@ -112,13 +113,26 @@ function* runFanucFiles(files, findings, arm) {
   const fileOf = new Map();
   /** Those whose first MOVE has been looked at. @type {Set<string>} */
   const framed = new Set();
+  const sources = Object.fromEntries(files.map(({ name, text }) => [name, text]));
+  const names = Object.keys(sources);
+  /** Text that is included is in a file of its own. */
+  const fileIn = (/** @type {string | undefined} */ name, /** @type {string} */ file) =>
+    (name !== undefined && keyOf(names, name)) || file;
+  const told = (/** @type {string} */ file, /** @type {readonly Diagnostic[]} */ list) =>
+    list.forEach((one) => findings.push(...findingsOf(fileIn(one.span.file, file), [one])));
+  const included = new Set(
+    files.flatMap(({ language, text }) =>
+      (language === 'karel' ? includesOf(text) : []).map(({ path }) => keyOf(names, path)),
+    ),
+  );
   let start = '';
   for (const { name: file, language, text } of files) {
+    if (included.has(file)) continue; // it is read where it is included
     if (language === 'karel') {
-      const { tree, diagnostics } = yield* parseInSlices(text);
-      findings.push(...findingsOf(file, diagnostics));
+      const { tree, diagnostics, hasGaps } = yield* parseInSlices(text, { files: sources });
+      told(file, diagnostics);
       if (tree.kind !== 'program') {
-        findings.push(...findingsOf(file, checkKarel(tree)));
+        told(file, checkKarel(tree, { files: sources, hasGaps }));
         continue;
       }
       karel[tree.name] = tree;
@@ -137,10 +151,10 @@ function* runFanucFiles(files, findings, arm) {
   /** @type {Controller['linked']} */
   const linked = new Map();
   for (const [name, tree] of Object.entries(karel)) {
-    const linker = yield* linkInSlices(tree, { traceSteps: true, programs: karel });
+    const linker = yield* linkInSlices(tree, { traceSteps: true, programs: karel, sources });
     linked.set(name.toUpperCase(), linker);
     const file = /** @type {string} */ (fileOf.get(name.toUpperCase()));
-    findings.push(...findingsOf(file, linker.analyses[0].diagnostics));
+    told(file, linker.analyses[0].diagnostics);
   }
   if (start === '') return;
   const main = /** @type {string} */ (fileOf.get(start.toUpperCase()));
@@ -179,11 +193,11 @@ function* runFanucFiles(files, findings, arm) {
   for (; !next.done; next = run.next()) {
     const effect = next.value;
     if (effect.kind === 'step') {
-      at = { file: fileOf.get(String(effect.in)) ?? main, line: effect.line ?? 0 };
+      at = { file: fileIn(effect.file, fileOf.get(String(effect.in)) ?? main), line: effect.line ?? 0 };
       if (++count % TURN === 0) yield null;
       continue;
     }
-    const file = fileOf.get(String(effect.in)) ?? main;
+    const file = fileIn(effect.file, fileOf.get(String(effect.in)) ?? main);
     if (effect.kind === 'write' && /TPERROR|OUTPUT/.test(String(effect.device ?? '')))
       findings.push({
         severity: 'warning',
@@ -223,7 +237,7 @@ function* runFanucFiles(files, findings, arm) {
     } else yield { ...effect, system: system(), file };
   }
   const { status, alarm, diagnostics = [], program } = next.value;
-  const file = fileOf.get(program.toUpperCase()) ?? main;
+  const file = fileIn(alarm?.file, fileOf.get(program.toUpperCase()) ?? main);
   if (alarm) findings.push({ severity: 'error', code: alarm.code, message: alarm.reason, file, line: alarm.line });
   else if (diagnostics.length > 0)
     findings.push({

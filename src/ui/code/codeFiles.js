@@ -46,7 +46,7 @@ export function createFileMenu(page, { choose, chosen, refuse, rename }) {
     ]);
   }
 
-  const input = h('input', { type: 'file', multiple: true, accept: '.kl,.ls,.src,.dat,.txt' }); // stands nowhere: it is only asked
+  const input = h('input', { type: 'file', multiple: true, accept: '.kl,.klh,.klt,.klc,.ls,.src,.dat,.txt' }); // stands nowhere: it is only asked
   input.addEventListener('change', async () => {
     const files = [...(input.files ?? [])];
     input.value = '';

@@ -190,7 +190,8 @@ export function createCodeRoom(page, host, { openProgram, onAdded, version, toda
     const isRunning = control.mode() === 'running';
     const place = control.place();
     // what stops in another program is shown there
-    if (wasRunning && !isRunning && place && open && place.id !== open.id && place.id !== '') openProgram(place.id);
+    const stoppedIn = (place ?? (control.alarmLine() ? control.stack().at(-1) : null))?.id;
+    if (wasRunning && !isRunning && open && stoppedIn && stoppedIn !== open.id) openProgram(stoppedIn);
     wasRunning = isRunning;
     const here = place && control.stack().findLast(({ id }) => id === open?.id);
     const isHere = control.stack().at(-1)?.id === open?.id;

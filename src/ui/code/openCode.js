@@ -59,7 +59,7 @@ export async function openCode(page, files) {
     const came = decodeCode(new Uint8Array(await file.arrayBuffer()));
     if (/(?![\t\n])\p{Cc}/u.test(came.text)) return { reason: CODE.notText(file.name) };
     const end = file.name.toLowerCase().split('.').at(-1) ?? '';
-    const name = `${idFrom(file.name)}${end === 'dat' ? '_dat' : ''}`;
+    const name = `${idFrom(file.name)}${/^(dat|kl[htc])$/.test(end) ? `_${end}` : ''}`;
     added.push({ name, language: LANGUAGE_OF[end] ?? 'karel', text: () => came.text, came });
   }
   return addPrograms(page, added);

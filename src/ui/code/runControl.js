@@ -224,7 +224,8 @@ export function createRunControl({ store, clock, announce, messages }, { onChang
         const made = createCodeRun(programs, id, arm, systemAtFirst(store.state.doc));
         if (!('run' in made)) {
           run = null;
-          become('idle', CODE.status.faulty(made.diagnostics.length));
+          const isPart = made.diagnostics[0]?.code === 'no-program';
+          become('idle', isPart ? CODE.status.noProgram : CODE.status.faulty(made.diagnostics.length));
           return made.diagnostics.map(({ span, message }) => ({ line: span.line, message }));
         }
         run = made.run;

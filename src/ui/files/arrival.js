@@ -94,14 +94,15 @@ export async function receive(page, source, { isWanted, again }) {
   }
 }
 
-const CODE_NAME = /\.(kl|ls|src|dat)$/i;
-const CODE_TEXT = /^\s*(?:\/PROG\s+|PROGRAM\s+|(?:&.*\s+)*DEF\s+)([\w-]+)/i;
+const CODE_NAME = /\.(kl[htc]?|ls|src|dat)$/i;
+/** Remarks, then its first word and its name. */
+const CODE_TEXT = /^(?:[ \t]*(?:(?:--|[;&]).*)?\r?\n)*[ \t]*(\/PROG|PROGRAM|(?:GLOBAL\s+)?DEF(?:DAT)?)\s+([\w-]+)/i;
 
 /** Controller code: files by their names, a text by its first word. @param {Source} source @returns {readonly File[]} */
 function codeOf({ files, isFolder, text = '' }) {
   if (!isFolder && files.length > 0 && files.every(({ name }) => CODE_NAME.test(name))) return files;
-  const [first = '', name] = CODE_TEXT.exec(text) ?? [];
-  const end = first.includes('/') ? 'ls' : /PROGRAM/i.test(first) ? 'kl' : 'src';
+  const [, word = '', name] = CODE_TEXT.exec(text) ?? [];
+  const end = word.startsWith('/') ? 'ls' : /PROGRAM/i.test(word) ? 'kl' : /DAT$/i.test(word) ? 'dat' : 'src';
   return name === undefined ? [] : [new File([text], `${name}.${end}`)];
 }
 

@@ -24,7 +24,7 @@ export const CODE = {
   newTpDetail: 'It can be checked and run here, and called by KAREL',
   krlDetail: 'It is read as far as this page writes it',
   openFile: 'Open a file…',
-  openDetail: '.kl, .ls, .src or .dat; it becomes part of the model',
+  openDetail: '.kl, .ls, .src, .dat, or headers as .klh; it becomes part of the model',
   rename: (/** @type {string} */ name) => `Rename ${name}…`,
   remove: (/** @type {string} */ name) => `Remove ${name}`,
   removed: (/** @type {string} */ name) => `${name} is removed; undo brings it back.`,
@@ -63,6 +63,7 @@ export const CODE = {
     noMove: (/** @type {number} */ line, /** @type {string} */ reason) =>
       `Line ${line}, the arm does not move: ${reason}`,
     moved: 'Stopped: the arm was moved by someone else',
+    noProgram: 'No PROGRAM here: run the one that includes this text',
     faulty: (/** @type {number} */ count) =>
       count === 1 ? 'One error is in the way; it is marked.' : `${count} errors are in the way; they are marked.`,
   },

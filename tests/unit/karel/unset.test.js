@@ -32,6 +32,7 @@ test.for(
   /** @type {[string, string, string[]][]} */ ([
     ['before it is set', 'b = a\na = 1', ['a 1']],
     ['in its own assignment', 'a = a + 1', ['a 1']],
+    ['kept by the controller', "CALL_PROG('q', a)", []],
     ['told once', 'b = a\nc = a\na = 1', ['a 1']],
     ['set on one way', 'IF p > 1 THEN\na = 1\nENDIF\nb = a', []],
     ['set on the other way', 'IF p > 1 THEN\nb = a\nELSE\na = 1\nENDIF', ['a 2']],

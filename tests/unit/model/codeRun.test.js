@@ -1,5 +1,9 @@
 /** Code under the debugger: where it stops, what it shows, and that going back is exact; and what its motions come to. */
+/** @import { ProgramDoc } from '../../../src/model/document.js' */
 import { expect, test } from 'vitest';
+import { problemsOf } from '../../../src/model/code/codeProblems.js';
+import { codeSet } from '../../../src/model/controller/codeSets.js';
+import { runCode } from '../../../src/model/controller/runCode.js';
 import { createCodeRun } from '../../../src/model/code/codeRun.js';
 import { positionForCode } from '../../../src/model/code/codeFrames.js';
 import { planOfMove } from '../../../src/model/code/codeMoves.js';
@@ -249,4 +253,45 @@ test('values are shown as code has them', () => {
   expect(valueText([1, 2, 3, 0, 90, 0, 0, 0, 0, 0], { kind: 'XYZWPR' })).toBe(
     '1.0 2.0 3.0 | 0.0 90.0 0.0 | N D B, 0, 0, 0',
   );
+});
+
+test('lines of an included file are those of its own text: stops, the stack, alarms and what is wrong', () => {
+  const part = 'ROUTINE count\nBEGIN\n  n = n + 1\n  IF n > 1 THEN\n    n = 1 DIV (n - 2)\n  ENDIF\nEND count\n';
+  const text = 'PROGRAM main\nVAR n : INTEGER\n%INCLUDE lib\\part.h\nBEGIN\n  n = 0\n  count\n  count\nEND main\n';
+  const programs = /** @type {ProgramDoc[]} */ ([
+    { id: 'main', language: 'karel', text },
+    { id: 'part_h', language: 'karel', text: part },
+  ]);
+  const made = createCodeRun(programs, 'main', ARM);
+  if (!('run' in made)) throw new Error(made.diagnostics[0].message);
+  const { run } = made;
+  run.advance(({ id, line }) => id === 'part_h' && line === 3, 100, NOWHERE);
+  expect(run.stack()).toEqual([
+    { id: 'main', program: 'main', routine: 'main', line: 6 },
+    { id: 'part_h', program: 'main', routine: 'count', line: 3 },
+  ]);
+  run.advance(() => false, 1000, NOWHERE);
+  expect(run.outcome()).toMatchObject({ status: 'alarm', alarm: { line: 5, file: 'lib\\part.h' } });
+  expect(run.stack().at(-1)).toMatchObject({ id: 'part_h' });
+
+  expect(createCodeRun(programs, 'part_h', ARM)).toMatchObject({ diagnostics: [{ code: 'no-program' }] });
+  expect(problemsOf(programs, programs[1])).toEqual([]);
+  const wrong = { ...programs[1], text: part.replace('n + 1', "'one'") };
+  const place = { line: 3, from: part.indexOf('n + 1') };
+  expect(problemsOf(programs, wrong)).toEqual([expect.objectContaining({ severity: 'error', ...place })]);
+  expect(problemsOf([programs[0], wrong], programs[0])).toEqual([
+    expect.objectContaining({ line: 3, from: text.indexOf('%'), message: expect.stringContaining('line 3: ') }),
+  ]);
+});
+
+test('what a program includes is verified with it, each finding in its own file', () => {
+  const text = 'PROGRAM main\nVAR n : INTEGER\n%INCLUDE part\nBEGIN\n  n = 0\n  fill\nEND main\n';
+  const part = 'ROUTINE fill\nBEGIN\n  n = 1 DIV n\nEND fill\n';
+  const programs = /** @type {ProgramDoc[]} */ ([
+    { id: 'part', language: 'karel', text: part },
+    { id: 'main', language: 'karel', text },
+  ]);
+  const set = codeSet(programs, programs[0]).map(({ file }) => file);
+  expect(set.map(({ name }) => name)).toEqual(['main.kl', 'part.kl']);
+  expect(runCode(set).findings).toEqual([expect.objectContaining({ severity: 'error', file: 'part.kl', line: 3 })]);
 });

@@ -73,6 +73,7 @@ export function* verifyInSlices(doc, made, files, start = doc.posture, given = [
   const largest = { millimetres: 0, degrees: 0 };
   let /** @type {Float64Array} */ from = compilePosture(doc.robot, start);
   let isSame = true;
+  let roundingBefore = { millimetres: 0, degrees: 0 };
   /** Frames that were said to be missing. @type {Set<string>} */
   const told = new Set();
   /** @type {string | null} */
@@ -109,7 +110,13 @@ export function* verifyInSlices(doc, made, files, start = doc.posture, given = [
       const wanted = made?.moves[moves.length];
       from = done.followed.end;
       const margins = moveMargins(doc, done);
-      const rounding = roundingOf(doc, done);
+      const own = roundingOf(doc, done);
+      // It begins where the decimals of the one before have put the arm.
+      const rounding = {
+        millimetres: Math.max(own.millimetres, roundingBefore.millimetres),
+        degrees: Math.max(own.degrees, roundingBefore.degrees),
+      };
+      roundingBefore = own;
       const { step, deviation, against, limited } = made
         ? compared(done, wanted, rounding, language)
         : { step: -1, deviation: null, against: [], limited: [] };
@@ -138,14 +145,29 @@ export function* verifyInSlices(doc, made, files, start = doc.posture, given = [
       line: 0,
     });
   const order = files.map(({ name }) => name);
-  findings.sort((a, b) => order.indexOf(a.file) - order.indexOf(b.file) || a.line - b.line);
+  const listed = saidOnce(findings).sort((a, b) => order.indexOf(a.file) - order.indexOf(b.file) || a.line - b.line);
   return {
     moves,
-    findings,
+    findings: listed,
     deviation: largest,
     isCompared: made !== null,
     matches: isSame && !findings.some(({ severity }) => severity === 'error'),
   };
+}
+
+/** What a loop says again and again is said once. @param {readonly CodeFinding[]} findings @returns {CodeFinding[]} */
+function saidOnce(findings) {
+  /** @type {Map<string, { one: CodeFinding, times: number }>} */
+  const told = new Map();
+  for (const one of findings) {
+    const key = JSON.stringify([one.file, one.line, one.message]);
+    const known = told.get(key);
+    if (known) known.times++;
+    else told.set(key, { one, times: 1 });
+  }
+  return [...told.values()].map(({ one, times }) =>
+    times === 1 ? one : { ...one, message: `${one.message} (${times} times)` },
+  );
 }
 
 /** @param {CodeMove} done @param {MoveMargins} margins @param {string | null} before @returns {[string, string][]} */

@@ -240,3 +240,36 @@ test('a program of a controller: its inputs and flags come, frames that the mode
   expect(found('R[1]=0', 'WAIT R[1]=1', 'R[1]=2')).toEqual([0, 'budget 5']);
   expect(found('R[1]=0', 'ABORT')).toEqual([0, 'aborted 5']);
 });
+
+test('a line after joint values begins where their decimals have put the arm: no fault of the line', () => {
+  const doc = newDocument(LIBRARY.planar2r);
+  const step = { speed: 50, speedUnit: '%', acceleration: 100, ending: { kind: 'fine' } };
+  const steps = [
+    { id: 'a', kind: 'joint', target: { kind: 'posture', values: [41.2454902, 56.5654912] }, ...step },
+    {
+      id: 'b',
+      kind: 'linear',
+      target: { kind: 'pose', xyz: [616, 1500, 0], rpy: [0, 0, 90] },
+      ...step,
+      speed: 100,
+      speedUnit: 'length/s',
+    },
+  ];
+  const own = { ...doc, motionPrograms: [{ id: 'm', name: 'Line', steps: /** @type {StepDoc[]} */ (steps) }] };
+  for (const [write, brand] of WRITERS) {
+    const tried = madeOf(own, brand);
+    if (tried?.made.moves.length !== 2) throw new Error('Expected both moves.');
+    const { matches, findings, moves } = verifyCode(own, tried.made, write(tried.made.program).files);
+    expect([matches, findings.filter(({ severity }) => severity === 'error')]).toEqual([true, []]);
+    const [{ rounding: before }, { rounding, deviation }] = moves;
+    expect(rounding.millimetres).toBeGreaterThanOrEqual(before.millimetres);
+    expect(deviation?.millimetres).toBeLessThan(rounding.millimetres);
+  }
+});
+
+test('what a loop does again and again is said once, and how often', () => {
+  const text =
+    "PROGRAM p\n%NOLOCKGROUP\nVAR i : INTEGER\nBEGIN\n  FOR i = 1 TO 3 DO\n    WRITE('again', CR)\n  ENDFOR\nEND p\n";
+  const { findings } = verifyCode(newDocument(LIBRARY.puma560), null, [{ name: 'p.kl', language: 'karel', text }]);
+  expect(findings.map(({ message }) => message)).toEqual(['again (3 times)']);
+});

@@ -4,10 +4,11 @@
  * families, and named as such.
  *
  * @import { Chain } from './chain.js'
- * @import { EveryPosture, Tolerances } from './everyPosture.js'
+ * @import { EveryPosture } from './everyPosture.js'
  * @import { Family } from './solvers/candidates.js'
  * @import { FanucConfiguration, KukaStatusTurn, PostureName } from './postureNames.js'
  * @import { Method } from './solvers/solvers.js'
+ * @import { Tolerances } from './poseErrors.js'
  * @import { LimitMargin } from './turns.js'
  *
  * @typedef {object} AllInverseOptions
@@ -34,16 +35,15 @@
  * @property {Method} method
  */
 import { requirePosture, requirePositive, requireWhole } from './checks.js';
-import { errorsAt, solveEveryPosture } from './everyPosture.js';
+import { solveEveryPosture } from './everyPosture.js';
 import { fanucConfiguration, kukaStatusTurn, namePosture, prepareNames } from './postureNames.js';
 import { requirePose } from './pose.js';
+import { errorsAt } from './poseErrors.js';
+import { onlyOnce } from './sameSolution.js';
 import { searchEveryPosture } from './searchEvery.js';
 import { recognise } from './solvers/solvers.js';
 import { limitMarginOf, writeBestTurns } from './turns.js';
-import { wayBetween, wayFrom } from './way.js';
-
-/** What the search adds to a solver's list is farther than this from all of it: next to a double solution all is a solution. */
-const APART = 1e-3;
+import { wayFrom } from './way.js';
 
 /** @type {WeakMap<Chain, ReturnType<typeof prepareNames>>} */
 const knownNames = new WeakMap();
@@ -69,12 +69,13 @@ function namesFor(chain) {
  */
 function everyPosture(chain, goal, settings) {
   const solved = solveEveryPosture(chain, goal, settings);
-  if (solved && (solved.isComplete || solved.families.length > 0)) return solved;
+  if (!solved) return searchEveryPosture(chain, goal, settings);
+  const { isComplete } = solved;
+  const postures = onlyOnce(chain, goal, solved.postures, settings, isComplete);
+  if (isComplete || solved.families.length > 0) return { ...solved, postures };
   const searched = searchEveryPosture(chain, goal, settings);
-  if (!solved) return searched;
-  const isNew = (/** @type {Float64Array} */ q) =>
-    solved.postures.every((known) => wayBetween(chain, q, known) > APART);
-  return { ...solved, postures: [...solved.postures, ...searched.postures.filter(isNew)] };
+  const all = onlyOnce(chain, goal, [...postures, ...searched.postures], settings, false);
+  return { ...solved, postures: all, families: searched.families };
 }
 
 /**

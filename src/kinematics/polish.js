@@ -52,9 +52,10 @@ function measure(chain, q, goal) {
  * @param {Chain} chain
  * @param {Float64Array} q
  * @param {ReturnType<typeof allocate>} room  `step` is filled, in radians and metres
+ * @param {Float64Array | null} held
  * @returns {boolean}
  */
-function solveStep(chain, q, { J, H, gradient, step }) {
+function solveStep(chain, q, { J, H, gradient, step }, held) {
   const n = chain.dof;
   const L = chain.characteristicLength;
   geometricJacobian(chain, q, J);
@@ -66,6 +67,7 @@ function solveStep(chain, q, { J, H, gradient, step }) {
     for (let j = 0; j <= i; j++) {
       let sum = i === j ? DAMPING : 0;
       for (let k = 0; k < 6; k++) sum += J[6 * i + k] * J[6 * j + k];
+      if (held) sum += held[i] * held[j];
       H[i * n + j] = sum;
     }
   }
@@ -79,15 +81,16 @@ function solveStep(chain, q, { J, H, gradient, step }) {
  * @param {ArrayLike<number>} T_base_goal
  * @param {Float64Array} q  changed in place, never for the worse
  * @param {number} [grain]  what is good enough; arm lengths and radians
+ * @param {Float64Array | null} [held]  a direction in which it must not go, of length 1 in radians and arm lengths
  * @returns {number} how far it is from the pose now: the largest part of the difference, in arm lengths or radians
  */
-export function polish(chain, T_base_goal, q, grain = GRAIN) {
+export function polish(chain, T_base_goal, q, grain = GRAIN, held = null) {
   let error = measure(chain, q, T_base_goal);
   if (error <= grain) return error;
   const room = (rooms[chain.dof] ??= allocate(chain.dof));
   for (let k = 0; k < STEPS && error > grain; k++) {
     room.lowest.set(q);
-    if (!solveStep(chain, q, room)) break;
+    if (!solveStep(chain, q, room, held)) break;
     for (let i = 0; i < q.length; i++) q[i] += room.step[i];
     const now = measure(chain, q, T_base_goal);
     if (!(now < error)) {

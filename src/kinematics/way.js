@@ -7,17 +7,29 @@ import { isSlide } from './limits.js';
 const FULL_TURN = 2 * Math.PI;
 
 /**
+ * The way of one joint, full turns aside.
+ * @param {Chain} chain
+ * @param {number} i  the joint
+ * @param {number} from
+ * @param {number} to
+ * @returns {number} radians or metres
+ */
+export function jointWay({ packed }, i, from, to) {
+  const away = to - from;
+  return isSlide(packed, i) ? away : away - FULL_TURN * Math.round(away / FULL_TURN);
+}
+
+/**
  * How far two postures are from being the same, full turns aside: the largest joint's way, in radians or arm lengths.
  * @param {Chain} chain
  * @param {ArrayLike<number>} a
  * @param {ArrayLike<number>} b
  */
-export function wayBetween({ packed, dof, characteristicLength }, a, b) {
+export function wayBetween(chain, a, b) {
   let most = 0;
-  for (let i = 0; i < dof; i++) {
-    const away = b[i] - a[i];
-    const way = isSlide(packed, i) ? away / characteristicLength : away - FULL_TURN * Math.round(away / FULL_TURN);
-    most = Math.max(most, Math.abs(way));
+  for (let i = 0; i < chain.dof; i++) {
+    const way = jointWay(chain, i, a[i], b[i]);
+    most = Math.max(most, Math.abs(isSlide(chain.packed, i) ? way / chain.characteristicLength : way));
   }
   return most;
 }

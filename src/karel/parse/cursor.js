@@ -14,6 +14,7 @@
  * @typedef {(start: number, end: number) => Span} Locate  offsets of the tokens → a place in the text that was typed
  */
 import { isReserved } from '../words.js';
+import { habitAt } from '../scan/habits.js';
 
 /** Thrown after the report, and always caught by the parser. */
 export const FAULT = new Error('This text is no KAREL; the report says why.');
@@ -76,7 +77,7 @@ export function createCursor(tokens, locate, diagnostics, macros = false) {
       report(
         'error',
         'syntax',
-        `Expected ${expected}, got ${shownToken(token)}.`,
+        `Expected ${expected}, got ${shownToken(token)}.${token === peek() ? habitAt(tokens, at) : ''}`,
         token.start,
         Math.max(token.end, token.start),
       );

@@ -19,6 +19,7 @@
 import { finished, PIECE } from '../slices.js';
 import { MAX_INTEGER } from '../tree.js';
 import { MAX_STRING_LENGTH } from '../words.js';
+import { CHARACTERS } from './habits.js';
 
 const SPACE = /[ \t\f\v\u00a0\ufeff]+/y;
 const LINE_END = /\r\n|\r|\n/y;
@@ -134,8 +135,7 @@ export function* scanInSlices(text, report) {
       } else push('sign', match[0], match[0].length);
     } else {
       match = [String.fromCodePoint(text.codePointAt(at) ?? 0)];
-      const hint = match[0] === '"' ? " A text stands in single quotes: 'text'." : '';
-      const message = `Expected KAREL, got the character ${JSON.stringify(match[0])}.${hint}`;
+      const message = `Expected KAREL, got the character ${JSON.stringify(match[0])}.${CHARACTERS[match[0]] ?? ''}`;
       report('character', message, at, at + match[0].length);
     }
     at += match[0].length;

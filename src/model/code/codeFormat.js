@@ -35,6 +35,26 @@ export function formatted({ language, text }) {
 }
 
 /**
+ * Where a line is ended while it is typed: how far in it stands by then, and the next one. Only where the line before is in order:
+ * whoever sets lines in another way goes on so.
+ * @param {ProgramDoc['language']} language
+ * @param {string} before  the text up to there
+ * @param {string} rest    of the line, which the next one takes
+ * @returns {{ own: string, next: string } | null}  blanks
+ */
+export function whenLineEnds(language, before, rest) {
+  if (language === 'fanuc-tp') return null;
+  const lines = before.split('\n');
+  const own = lines[lines.length - 1];
+  const inOrder = formatted({ language, text: `${before}\n${rest.trimStart() || '.'}` }).split('\n');
+  const last = lines.findLastIndex((line, i) => i < lines.length - 1 && line.trim() !== '');
+  const isInOrder = last < 0 || lines[last].trimEnd() === inOrder[last];
+  if (!isInOrder || own.trim() === '') return null;
+  const [ownBlanks, next] = inOrder.slice(-2).map((line) => line.slice(0, line.length - line.trimStart().length));
+  return { own: ownBlanks, next };
+}
+
+/**
  * @typedef {object} Blocks
  * @property {(line: string) => string} bare      without texts and remarks
  * @property {(code: string) => { before: number, behind: number }} steps  how much farther in the line, and what follows it, are

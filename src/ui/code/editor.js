@@ -14,6 +14,7 @@ import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/sea
 import { Compartment, EditorState } from '@codemirror/state';
 import { EditorView, gutter, highlightActiveLine, keymap, lineNumbers } from '@codemirror/view';
 import { tags } from '@lezer/highlight';
+import { whenLineEnds } from '../../model/code/codeFormat.js';
 import { CODE } from '../words/code.js';
 import { folds } from './editorFolds.js';
 import { marked, marksIn, setNext, setProblems, setStops, stops } from './editorMarks.js';
@@ -44,6 +45,7 @@ export function createEditor(host, { onText, onLeave, onStops, onLine, onPoint, 
   const language = new Compartment();
   const label = new Compartment();
   let isSetting = false;
+  let spoken = /** @type {ProgramDoc['language']} */ ('karel');
 
   /** @param {EditorView} view @param {number} place */
   function toggleStop(view, place) {
@@ -54,6 +56,24 @@ export function createEditor(host, { onText, onLeave, onStops, onLine, onPoint, 
       : [...lines, number].sort((a, b) => a - b);
     view.dispatch({ effects: setStops.of(now), selection: { anchor: from } });
     onStops(now, number);
+    return true;
+  }
+
+  /** A line that is ended is set in as its blocks have it, and so is the next. @param {EditorView} view */
+  function endLine({ state, dispatch }) {
+    const { main, ranges } = state.selection;
+    const { from, to, text } = state.doc.lineAt(main.head);
+    if (!main.empty || ranges.length > 1) return false;
+    const set = whenLineEnds(spoken, state.sliceDoc(0, main.head), state.sliceDoc(main.head, to));
+    if (!set) return false;
+    const blanks = text.length - text.trimStart().length;
+    const skipped = /^[ \t]*/.exec(state.sliceDoc(main.head, to))?.[0].length ?? 0;
+    const changes = state.changes([
+      { from, to: from + blanks, insert: set.own },
+      { from: main.head, to: main.head + skipped, insert: `\n${set.next}` },
+    ]);
+    const anchor = changes.mapPos(main.head + skipped, 1);
+    dispatch(state.update({ changes, selection: { anchor }, scrollIntoView: true, userEvent: 'input' }));
     return true;
   }
 
@@ -128,6 +148,7 @@ export function createEditor(host, { onText, onLeave, onStops, onLine, onPoint, 
       ...completionKeymap,
       ...searchKeymap,
       ...foldKeymap,
+      { key: 'Enter', run: endLine },
       ...historyKeymap,
       ...defaultKeymap,
     ]),
@@ -145,6 +166,7 @@ export function createEditor(host, { onText, onLeave, onStops, onLine, onPoint, 
     /** Another program, or the same with another text than is here. @param {ProgramDoc} program @param {readonly number[]} lines  at which it stops */
     open(program, lines) {
       isSetting = true;
+      spoken = program.language;
       next = 0;
       view.setState(
         EditorState.create({

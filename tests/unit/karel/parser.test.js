@@ -155,6 +155,16 @@ test.for([
   ['then = 1', '2:1 Expected a variable, got "then".'],
   ['x = 1 ? 2', '2:7 Expected KAREL, got the character "?".'],
   ['x = 1 "', String.raw`2:7 Expected KAREL, got the character "\"". A text stands in single quotes: 'text'.`],
+  ['x := 1', '2:3 Expected ";" or a new line, got ":". KAREL assigns with "=" alone.'],
+  ['IF x == 1 THEN\nENDIF', '2:7 Expected a value, got "=". KAREL compares with one "=".'],
+  ['x += 1', '2:3 Expected ";" or a new line, got "+". KAREL has it in full: i = i + 1.'],
+  ['x = 1 // one', '2:8 Expected a value, got "/". A remark begins with two hyphens: --.'],
+  [
+    'IF x THEN\nELSEIF y THEN\nENDIF',
+    '3:8 Expected ";" or a new line, got "y". There is no such word: behind ELSE stands an IF of its own, with its own ENDIF.',
+  ],
+  ['RETURN 1', '2:8 Expected ";" or a new line, got "1". A value stands in parentheses: RETURN(value).'],
+  ['x = 7 % 2', '2:7 Expected KAREL, got the character "%". The rest of a division is MOD.'],
   [
     'WAIT FOR DIN[1] AND a = 1 OR b = 2',
     '2:27 Expected AND between all terms of a condition, got OR: AND and OR cannot be mixed.',

@@ -6,7 +6,7 @@ import { parseTp } from '../../../src/karel/tp/parser.js';
 import { linesOf } from '../../../src/karel/tp/tree.js';
 import { codeArm } from '../../../src/model/code/codeArm.js';
 import { systemAtFirst } from '../../../src/model/code/codeFrames.js';
-import { formatted } from '../../../src/model/code/codeFormat.js';
+import { formatted, whenLineEnds } from '../../../src/model/code/codeFormat.js';
 import { namesFor } from '../../../src/model/code/codeNames.js';
 import { moveOfLine, pathOf, previewOf } from '../../../src/model/code/codePreview.js';
 import { problemsOf } from '../../../src/model/code/codeProblems.js';
@@ -339,4 +339,23 @@ test('a program that never ends, one that is faulty and one that stops are looke
   expect(previewed([tp(listing(['R[1]=R[2]']))]).faults).toEqual([
     { id: 'main', line: 12, message: 'R[2] has no value' },
   ]);
+});
+
+test('lines that are typed one after the other stand in order, whatever they are; other manners are left alone', () => {
+  const typed = (/** @type {string[]} */ lines) => {
+    let text = '';
+    for (const line of lines) {
+      const blanks = text.length - text.trimEnd().length;
+      const set = whenLineEnds('karel', text + line, '');
+      const own = text.slice(text.lastIndexOf('\n') + 1);
+      expect(blanks).toBeGreaterThanOrEqual(own.length);
+      if (!set) text += `${line}\n${own}`;
+      else text = `${text.slice(0, text.length - own.length)}${set.own}${line}\n${set.next}`;
+    }
+    return text.trimEnd();
+  };
+  const text = formatted(karel(MESSY.replace(/^%.*\n|^[ \t]*\n/gm, '')));
+  expect(typed(text.split('\n').map((line) => line.trim()))).toBe(text.trimEnd());
+  expect(whenLineEnds('karel', 'PROGRAM p\n      VAR i : INTEGER\n      BEGIN', '')).toBeNull();
+  expect(whenLineEnds('karel', 'PROGRAM p\nBEGIN\n  IF a THEN', ' b = 1')).toEqual({ own: '  ', next: '    ' });
 });

@@ -67,10 +67,10 @@ function solveStep(chain, q, { J, H, gradient, step }, held) {
     for (let j = 0; j <= i; j++) {
       let sum = i === j ? DAMPING : 0;
       for (let k = 0; k < 6; k++) sum += J[6 * i + k] * J[6 * j + k];
-      if (held) sum += held[i] * held[j];
       H[i * n + j] = sum;
     }
   }
+  if (held) for (let i = 0; i < n; i++) for (let j = 0; j <= i; j++) H[i * n + j] += held[i] * held[j];
   if (!solveCholesky(H, gradient, step)) return false;
   for (let i = 0; i < n; i++) if (chain.joints[i].type === 'prismatic') step[i] *= L;
   return true;

@@ -25,11 +25,12 @@ export function jointWay({ packed }, i, from, to) {
  * @param {ArrayLike<number>} a
  * @param {ArrayLike<number>} b
  */
-export function wayBetween(chain, a, b) {
+export function wayBetween({ packed, dof, characteristicLength }, a, b) {
   let most = 0;
-  for (let i = 0; i < chain.dof; i++) {
-    const way = jointWay(chain, i, a[i], b[i]);
-    most = Math.max(most, Math.abs(isSlide(chain.packed, i) ? way / chain.characteristicLength : way));
+  for (let i = 0; i < dof; i++) {
+    const away = b[i] - a[i];
+    const way = isSlide(packed, i) ? away / characteristicLength : away - FULL_TURN * Math.round(away / FULL_TURN);
+    most = Math.max(most, Math.abs(way));
   }
   return most;
 }

@@ -79,8 +79,10 @@ export function* runKrlMachine(machine) {
     }
     switch (node.kind) {
       case 'motion': {
-        const target = places.get(node.target.toUpperCase());
-        const via = node.via === undefined ? undefined : places.get(node.via.toUpperCase());
+        const placeOf = (/** @type {string} */ text) =>
+          node.places?.find((one) => one.name === text) ?? places.get(text.toUpperCase());
+        const target = placeOf(node.target);
+        const via = node.via === undefined ? undefined : placeOf(node.via);
         if (!target || (node.via !== undefined && !via))
           return alarm('position', `${target ? node.via : node.target} is not in the data list`);
         const effect = moveEffect(node, target, via, state.set);
@@ -134,9 +136,9 @@ function pass(state) {
 /** @param {KrlMotion} node @param {KrlDatum} target @param {KrlDatum | undefined} via @param {Record<string, number>} set @returns {Effect | string} */
 function moveEffect({ motion, target: point, approximation }, target, via, set) {
   const [to, past] = [valuesOf(target), via && valuesOf(via)];
-  if (!to || (via && !past)) return `${point} lacks members`;
+  if (!to || (via && !past)) return `${point.startsWith('{') ? 'a position' : point} lacks members`;
   if (motion !== 'PTP' && (to.isJoint || past?.isJoint))
-    return `${point} has axis values: LIN and CIRC need X Y Z A B C`;
+    return `${point.startsWith('{') ? 'a position' : point} has axis values: LIN and CIRC need X Y Z A B C`;
   const way = approximation[0];
   const value =
     way === 'C_PTP' && !approximation[1] ? set['$APO.CPTP'] : way === 'C_VEL' ? set['$APO.CVEL'] : set['$APO.CDIS'];

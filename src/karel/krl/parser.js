@@ -11,10 +11,12 @@ const DEF = /^(?:GLOBAL\s+)?DEF\s+(\w+)\s*\(\s*\)$/i;
 const DEFDAT = /^DEFDAT\s+(\w+)(?:\s+PUBLIC)?$/i;
 const DATUM = /^DECL\s+(POS|AXIS|E6POS|E6AXIS|FRAME)\s+(\w+)\s*=\s*\{(.*)\}$/i;
 const MEMBER = /^\s*(\w+)\s+(?:'B([01]+)'|'H([0-9A-F]+)'|([+-]?\d*\.?\d+(?:E[+-]?\d+)?|\d+\.))\s*$/i;
-const MOTION = /^(PTP|LIN|CIRC)\s+(\w+)(?:\s*,\s*(\w+))?((?:\s+C_(?:PTP|DIS|VEL|ORI))*)$/i;
+const MOTION = /^(PTP|LIN|CIRC)\s+(\w+|\{[^{}]*\})(?:\s*,\s*(\w+|\{[^{}]*\}))?((?:\s+C_(?:PTP|DIS|VEL|ORI))*)$/i;
+/** A position where it is needed: {X 1,Y 2,…}, {E6AXIS: A1 0,…}. */
+const IN_PLACE = /^\{(?:\s*\w+\s*:)?([^{}:]*)\}$/;
 const BAS = /^BAS\s*\(\s*#(\w+)\s*,\s*(-?[\d.]+)\s*\)$/i;
 const WAIT = /^WAIT\s+SEC\s+([\d.]+)$/i;
-const WAIT_FOR = /^WAIT\s+FOR\s+\$IN\[(\d+)\]\s*==\s*(TRUE|FALSE)$/i;
+const WAIT_FOR = /^WAIT\s+FOR\s+\$IN\[(\d+)\](?:\s*==\s*(TRUE|FALSE))?$/i;
 const ASSIGN = /^(\$\w+(?:\[\d+\])?(?:\.\w+)?)\s*=\s*(TRUE|FALSE|-?\d*\.?\d+(?:E[+-]?\d+)?)$/i;
 const CALL = /^(\w+)\s*\(\s*\)$/;
 
@@ -53,7 +55,9 @@ export function parseKrl(src, dat = '') {
     }
     const statement = statementOf(text);
     if (statement) found.statements.push({ ...statement, span });
-    return statement ? null : 'a statement that is known here (PTP, LIN, CIRC, BAS, WAIT, a call or an assignment)';
+    return statement
+      ? null
+      : 'a statement that is known here (PTP, LIN, CIRC with a position, BAS, WAIT, a call, an assignment of a number; no IF, loops or declarations)';
   });
   if (!isOver) diagnostics.push(missing('END', src));
 
@@ -109,12 +113,24 @@ function statementOf(text) {
     const [, kind, first, second, ways] = motion;
     const type = /** @type {'PTP' | 'LIN' | 'CIRC'} */ (kind.toUpperCase());
     if ((type === 'CIRC') !== (second !== undefined)) return null;
+    /** @type {KrlDatum[]} */
+    const places = [];
+    /** A place in braces is called after its number. @param {string} name */
+    const named = (name) => {
+      const members = name.startsWith('{') && membersOf(IN_PLACE.exec(name)?.[1] ?? '');
+      if (members === false) return name;
+      if (members === null) return null;
+      return `{${places.push({ name: `{${places.length}}`, type: 'A1' in members ? 'E6AXIS' : 'E6POS', members }) - 1}}`;
+    };
+    const [one, other] = [named(first), second === undefined ? '' : named(second)];
+    if (one === null || other === null) return null;
     const approximation = ways.trim() === '' ? [] : ways.trim().toUpperCase().split(/\s+/);
     return {
       kind: 'motion',
       motion: type,
-      ...(second ? { via: first, target: second } : { target: first }),
+      ...(other ? { via: one, target: other } : { target: one }),
       approximation,
+      ...(places.length > 0 && { places }),
     };
   }
   const bas = BAS.exec(text);
@@ -122,7 +138,7 @@ function statementOf(text) {
   const wait = WAIT.exec(text);
   if (wait) return { kind: 'wait', seconds: Number(wait[1]) };
   const input = WAIT_FOR.exec(text);
-  if (input) return { kind: 'wait-for', input: Number(input[1]), value: input[2].toUpperCase() === 'TRUE' };
+  if (input) return { kind: 'wait-for', input: Number(input[1]), value: input[2]?.toUpperCase() !== 'FALSE' };
   const assign = ASSIGN.exec(text);
   if (assign) {
     const word = assign[2].toUpperCase();
@@ -141,9 +157,15 @@ function statementOf(text) {
 function datumOf(text) {
   const match = DATUM.exec(text);
   if (!match) return null;
+  const members = membersOf(match[3]);
+  return members && { name: match[2], type: /** @type {'POS'} */ (match[1].toUpperCase()), members };
+}
+
+/** @param {string} text  between the braces @returns {Record<string, number> | null} */
+function membersOf(text) {
   /** @type {Record<string, number>} */
   const members = {};
-  for (const part of match[3].split(',')) {
+  for (const part of text.split(',')) {
     const member = MEMBER.exec(part);
     if (!member) return null;
     const [, name, binary, hexadecimal, decimal] = member;
@@ -153,5 +175,5 @@ function datumOf(text) {
         ? parseInt(hexadecimal, 16)
         : Number(decimal);
   }
-  return { name: match[2], type: /** @type {'POS'} */ (match[1].toUpperCase()), members };
+  return members;
 }

@@ -51,7 +51,9 @@ function statementText(node) {
     case 'comment':
       return commentText(node.text);
     case 'motion': {
-      const points = [...(node.via ? [node.via] : []), node.target].map(identifier).join(',');
+      const points = [...(node.via ? [node.via] : []), node.target]
+        .map((name) => placeText(name, node.places))
+        .join(',');
       const ways = node.approximation.map((way) => (/^C_(PTP|DIS|VEL|ORI)$/.test(way) ? ` ${way}` : wrongWay(way)));
       return `${node.motion} ${points}${ways.join('')}`;
     }
@@ -75,18 +77,27 @@ function statementText(node) {
   }
 }
 
+/** @param {string} name @param {readonly KrlDatum[]} [places]  that stand here themselves */
+function placeText(name, places) {
+  const place = places?.find((one) => one.name === name);
+  return place ? membersText(place) : identifier(name);
+}
+
 /** @param {string} way @returns {never} */
 function wrongWay(way) {
   throw new RangeError(`Expected C_PTP, C_DIS, C_VEL or C_ORI, got ${JSON.stringify(way)}.`);
 }
 
 /** @param {KrlDatum} datum */
-function datumText({ name, type, members }) {
+const datumText = (datum) => `DECL ${datum.type} ${identifier(datum.name)}=${membersText(datum)}`;
+
+/** @param {KrlDatum} datum */
+function membersText({ members }) {
   const list = Object.entries(members).map(([member, value]) => {
     if (member === 'S' || member === 'T') return `${member} 'B${binaryText(value)}'`;
     return `${identifier(member)} ${memberText(value)}`;
   });
-  return `DECL ${type} ${identifier(name)}={${list.join(',')}}`;
+  return `{${list.join(',')}}`;
 }
 
 /** @param {number} value */

@@ -21,9 +21,10 @@
  * @typedef {object} KrlMotionParts
  * @property {'motion'} kind
  * @property {'PTP' | 'LIN' | 'CIRC'} motion
- * @property {string} target        the name of a position
+ * @property {string} target        the name of a position, or {0}, {1} of places
  * @property {string} [via]
  * @property {readonly string[]} approximation   C_PTP C_DIS C_VEL C_ORI
+ * @property {readonly KrlDatum[]} [places]      those that stand here themselves
  * @typedef {Placed & KrlMotionParts} KrlMotion
  * @typedef {Placed & { kind: 'assign', target: string, value: KrlValue }} KrlAssign   `$VEL.CP=0.25`, `$OUT[1]=TRUE`
  * @typedef {number | boolean} KrlValue

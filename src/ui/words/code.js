@@ -183,7 +183,8 @@ DEFAULT_GROUP\t= 1,*,*,*,*;
 /END
 `,
   krlTemplate: (/** @type {string} */ name) => `DEF ${name} ( )
-  ; the positions of PTP, LIN and CIRC stand in a program of their own, which begins with DEFDAT ${name}
+  ; positions stand in braces, as in PTP {A1 0,A2 -90,...} and LIN {X 500,Y 0,Z 500,A 0,B 90,C 0},
+  ; or by their names in a program of their own, which begins with DEFDAT ${name}
   BAS(#VEL_PTP,50)
   WAIT FOR $IN[1]==TRUE
   $OUT[1]=TRUE

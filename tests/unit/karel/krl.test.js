@@ -111,3 +111,31 @@ test('what it does not know it says, with its line; and what cannot be written i
     'a'.repeat(24),
   ]);
 });
+
+test('positions may stand in braces at the motion itself; what lacks members, or is no motion to a position, is told', () => {
+  const text = [
+    'DEF p ( )',
+    'PTP {A1 0,A2 -90, A3 90.5}',
+    'LIN {E6POS: X 1,Y 2,Z 3,A 10,B 20,C 30,S 6,T 27} C_DIS',
+    'CIRC {X 4,Y 5,Z 6,A 0,B 0,C 0}, XP1',
+    'WAIT FOR $IN[2]',
+    'LIN {X 1}',
+    'END',
+  ].join('\n');
+  const dat = 'DEFDAT p\nDECL FRAME XP1={X 7,Y 8,Z 9,A 0,B 0,C 0}\nENDDAT';
+  const { tree, diagnostics } = parseKrl(text, dat);
+  expect(diagnostics).toEqual([]);
+  expect(bare(parseKrl(printKrl(tree).src, dat).tree.statements)).toEqual(bare(tree.statements));
+  const run = runKrl(tree, { input: () => true });
+  const moves = [];
+  let next = run.next();
+  for (; !next.done; next = run.next()) if (next.value.kind === 'move') moves.push(next.value);
+  expect(moves).toMatchObject([
+    { motion: 'J', isJoint: true, position: [0, -90, 90.5] },
+    { motion: 'L', position: [1, 2, 3, 30, 20, 10, 0, 0, 0, 0], status: 6, turn: 27, termination: { kind: 'DIS' } },
+    { motion: 'C', via: [4, 5, 6, 0, 0, 0, 0, 0, 0, 0], position: [7, 8, 9, 0, 0, 0, 0, 0, 0, 0] },
+  ]);
+  expect(next.value).toMatchObject({ status: 'alarm', alarm: { line: 6, reason: 'a position lacks members' } });
+  for (const wrong of ['PTP {A1}', 'LIN {X 1,Y {Z 2}}', 'PTP {}', 'LIN_REL {X 1}', 'PTP {X 1'])
+    expect([wrong, parseKrl(`DEF p ( )\n${wrong}\nEND`).diagnostics.length]).toEqual([wrong, 1]);
+});

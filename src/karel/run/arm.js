@@ -27,6 +27,7 @@
  * @property {Motion[]} stopped  that RESUME takes up again, the last first
  * @property {number} count      motions that have begun
  * @property {{ number: number, done: number }} last  the motion that moved the arm last, and how far it came
+ * @property {{ number: number, done: number }} before  the same of the one before that
  * @property {boolean} isHeld
  * @property {string | null} holder   the task that has the motion group
  * @property {number} time       ms, of the program, when all of this was so
@@ -41,7 +42,7 @@ const NOTHING = 1e-6;
 
 /** @param {string | null} [holder] @returns {Arm} */
 export const newArm = (holder = null) => ({
-  ...{ motion: null, stopped: [], count: 0, last: { number: 0, done: 0 } },
+  ...{ motion: null, stopped: [], count: 0, last: { number: 0, done: 0 }, before: { number: 0, done: 0 } },
   ...{ isHeld: false, holder, time: 0 },
 });
 
@@ -51,7 +52,7 @@ export function beginMotion(arm, effect, time, task) {
   const number = ++arm.count;
   const rate = arm.isHeld ? 0 : 1;
   arm.motion = { number, effect, duration: 0, done: 0, rate, task, from: { time, done: 0, rate, goal: rate } };
-  arm.last = { number, done: 0 };
+  [arm.before, arm.last] = [arm.last, { number, done: 0 }];
   return number;
 }
 

@@ -44,11 +44,13 @@ export function createCodeMotions(docNow, runNow) {
     return known.posture;
   }
 
-  /** Where the arm is, in the program's time. @param {number} [lag]  so many ms of the motion less */
+  /** Where the arm is, in the program's time; at the end of a motion, when the next has begun and has no plan. @param {number} [lag]  so many ms of the motion less */
   function posture(lag = 0) {
-    const last = arm()?.last;
+    const { last, before } = arm() ?? {};
     const motion = plans.get(current);
-    return last?.number === current && motion ? along(motion, last.done - lag) : docNow().posture;
+    if (!motion || !last || !before) return docNow().posture;
+    if (last.number === current) return along(motion, last.done - lag);
+    return before.number === current ? along(motion, before.done) : docNow().posture;
   }
 
   /** @param {Effect} effect @param {readonly number[]} start @returns {Begun} */

@@ -52,7 +52,9 @@ function krl(machine, id) {
     restore: (saved) => restoreKrlState(machine, saved),
     placeOf: ({ line = 0 }) => ({ ...frame, line, depth: 1, task: 0 }),
     faultAt: () => null,
-    frames: () => (machine.state.at < machine.module.statements.length ? [{ ...frame, line: 0 }] : []),
+    // a motion of the last statement goes on behind that
+    frames: () =>
+      machine.state.arm.motion || machine.state.at < machine.module.statements.length ? [{ ...frame, line: 0 }] : [],
     memory: () => ({
       ports: { IN: machine.state.inputs, OUT: machine.state.outputs },
       system: {},

@@ -4,6 +4,8 @@ import { codeArm } from '../../../src/model/code/codeArm.js';
 import { systemAtFirst } from '../../../src/model/code/codeFrames.js';
 import { createCodeMotions } from '../../../src/model/code/codeMotions.js';
 import { createCodeRun } from '../../../src/model/code/codeRun.js';
+import { tcpPose } from '../../../src/kinematics/forward.js';
+import { compilePosture, compileRobot } from '../../../src/model/compile.js';
 import { newDocument } from '../../../src/model/newDocument.js';
 import { firstRobot } from '../../../src/model/shelf.js';
 
@@ -136,4 +138,25 @@ END main
   expect(run.posture()).toBe(run.doc().posture);
   while (now !== 'over') now = run.on();
   expect(run.posture()[0]).toBeCloseTo(first[0], 4);
+});
+
+test('a motion begins where the one before ends, however seldom anybody has looked', () => {
+  const run = runOf(`PROGRAM main
+VAR here, up, aside : XYZWPR
+BEGIN
+  here = CURPOS(0, 0)
+  up = here
+  up.z = here.z + 50
+  aside = up
+  aside.y = here.y + 20
+  WITH $MOTYPE = LINEAR, $SPEED = 100.0 MOVE TO up
+  WITH $MOTYPE = LINEAR, $SPEED = 100.0 MOVE TO aside
+END main
+`);
+  const { robot } = run.doc();
+  const height = () => tcpPose(compileRobot(robot), compilePosture(robot, run.doc().posture))[14];
+  const before = height();
+  let moves = 0;
+  while (moves < 2) if (run.on(() => false) === 'move') moves++;
+  expect(height() - before).toBeCloseTo(0.05, 7);
 });

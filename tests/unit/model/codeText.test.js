@@ -332,6 +332,8 @@ test('a program that never ends, one that is faulty and one that stops are looke
     tp(listing(['LBL[1]', 'J P[1] 100% FINE', 'J P[2] 100% FINE', 'JMP LBL[1]'], [P(1, 0), P(2, 20)])),
   ]);
   expect(endless.moves.length).toBe(100);
+  const { faults } = previewed([krl('DEF a ( )\nPTP {X 9000,Y 0,Z 0,A 0,B 0,C 0}\nEND\n')]);
+  expect(faults).toMatchObject([{ id: 'main', line: 2 }]);
   expect(previewed([tp(listing(['JMP LBL[5]']))])).toEqual({ moves: [], faults: [] });
   expect(
     previewed([karel('PROGRAM p\nVAR i : INTEGER\nBEGIN\ni = 0\nWHILE TRUE DO\ni = 1\nENDWHILE\nEND p\n')]).moves,

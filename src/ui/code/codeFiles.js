@@ -112,6 +112,16 @@ export const fileTabs = (files, chosen) =>
     ),
   );
 
+/** Of more files than there is room for, the chosen one is in sight. @param {Element} host */
+export function showChosen(host) {
+  const strip = host.querySelector('.files');
+  const box = strip?.querySelector('[aria-pressed=true]')?.getBoundingClientRect();
+  if (!strip || !box) return;
+  const { left } = strip.getBoundingClientRect();
+  const right = strip.querySelector('.files-ways')?.getBoundingClientRect().left ?? 0;
+  strip.scrollLeft += Math.max(0, box.right - right) || Math.min(0, box.left - left);
+}
+
 /** @param {Doc} doc */
 export const ownFiles = ({ programs }) =>
   programs.map((program) => ({ key: `own ${program.id}`, name: fileName(program) }));

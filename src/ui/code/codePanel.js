@@ -20,7 +20,7 @@ import { createPressGate } from '../parts/pressed.js';
 import { TEXT } from '../strings.js';
 import { CODE } from '../words/code.js';
 import { WRITE } from '../words/writeCode.js';
-import { codeEmpty, createFileMenu, fileTabs, nameForm, ownFiles } from './codeFiles.js';
+import { codeEmpty, createFileMenu, fileTabs, nameForm, ownFiles, showChosen } from './codeFiles.js';
 import { createCodeWriter } from './codeWriter.js';
 import { optionsForm } from './optionsForm.js';
 import { ownLine } from './ownLine.js';
@@ -108,6 +108,7 @@ export function createCodePanel(page, host, { version, today }) {
       refusal && h('p', { class: 'code-refusal', role: 'alert' }, refusal),
       own && ownLine(doc, own),
     );
+    if (files.length > 0) page.clock.onFrame(() => showChosen(top));
     drawOwn();
     drawListing(files.length === 0);
     found.draw();

@@ -114,10 +114,13 @@ export function createStage({ host, clock, quality, text, isCalm = () => false, 
 
   /** @param {number} width @param {number} height */
   function onResize(width, height) {
+    const isDrawnAtOnce = surface !== null && surface.draws > 0;
+    isAiming = isDrawnAtOnce;
     view.resize(width, height);
     if (view.isUntouched && !(left && goNear(near, false))) fit();
+    isAiming = false;
     // Resizing empties the canvas: drawn a frame later it would flash, so a picture that was there is drawn at once.
-    if (surface && surface.draws > 0) draw();
+    if (isDrawnAtOnce) draw();
     else invalidate();
   }
 

@@ -25,6 +25,8 @@ export function createSurface({ host, isLow, onResize, onLose, onRestore }) {
   const renderer = new WebGLRenderer({ canvas, context, alpha: true, antialias: !isLow, stencil: true });
   renderer.shadowMap.enabled = !isLow;
   renderer.shadowMap.autoUpdate = false;
+  /** @type {WeakSet<object>} */
+  const kept = new WeakSet();
   Object.assign(canvas.style, { display: 'block', width: '100%', height: '100%' });
   canvas.tabIndex = 0;
   canvas.dataset.draws = '0';
@@ -50,6 +52,16 @@ export function createSurface({ host, isLow, onResize, onLose, onRestore }) {
     renderer.setPixelRatio(ratio);
     renderer.setSize(width, height, false);
   }
+
+  /** Marks come and go with every key; without this their shaders were compiled again each time, at several pictures' cost. */
+  function keepPrograms() {
+    for (const program of renderer.info.programs ?? []) {
+      if (kept.has(program)) continue;
+      kept.add(program);
+      program.usedTimes++;
+    }
+  }
+
   const observer = new ResizeObserver(measure);
   observer.observe(host);
 
@@ -92,6 +104,7 @@ export function createSurface({ host, isLow, onResize, onLose, onRestore }) {
       if (ratioNow() !== ratio) sharpen(); // not every change of the screen is told
       renderer.shadowMap.needsUpdate = castAnew && !isLow;
       renderer.render(scene, camera);
+      keepPrograms();
       canvas.dataset.draws = String(++draws);
       return true;
     },

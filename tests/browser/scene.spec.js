@@ -48,6 +48,14 @@ test('a cell that is chosen, or under the pointer, is drawn as a dimension; noth
   page,
 }) => {
   await page.setViewportSize(SMALL);
+  await page.addInitScript(() => {
+    const { prototype } = WebGL2RenderingContext;
+    const { linkProgram } = prototype;
+    prototype.linkProgram = function (program) {
+      document.documentElement.dataset.links = String(Number(document.documentElement.dataset.links ?? 0) + 1);
+      linkProgram.call(this, program);
+    };
+  });
   await open(page);
   const before = await picture(page);
   for (const [label, words] of [
@@ -63,6 +71,15 @@ test('a cell that is chosen, or under the pointer, is drawn as a dimension; noth
   await cell(page, 'Joint 3, link length a, millimetres').hover();
   await expect(dimension(page)).toHaveText('a3 = 20.3 mm');
   await page.mouse.move(600, 400);
+  await expect(dimension(page)).toHaveText('a5 = 0');
+  // its marks are made anew with the number, their shaders are not
+  const links = () => page.locator('html').getAttribute('data-links');
+  const linked = await links();
+  await cell(page, 'Joint 5, link length a, millimetres').fill('70');
+  await expect(dimension(page)).toHaveText('a5 = 70 mm');
+  await settled(page);
+  expect(await links()).toBe(linked);
+  await page.keyboard.press('Escape');
   await expect(dimension(page)).toHaveText('a5 = 0');
   await cell(page, 'Joint 2, upper limit, degrees').focus();
   await expect(dimension(page)).toHaveText('J2 45.0°'); // the gauge with the limits

@@ -19,7 +19,10 @@ const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.mi
  */
 export async function expectAccessible(page, { within, rules } = {}) {
   await settled(page);
-  if (!(await page.evaluate(() => 'axe' in window))) await page.evaluate(AXE);
+  if (!(await page.evaluate(() => 'axe' in window))) {
+    await page.evaluate(AXE);
+    await page.evaluate(readColoursOnce);
+  }
   const faults = await page.evaluate(
     async ({ within, rules }) => {
       const axe = /** @type {typeof import('axe-core')} */ (Reflect.get(window, 'axe'));
@@ -34,4 +37,21 @@ export async function expectAccessible(page, { within, rules } = {}) {
     { within, rules },
   );
   expect(faults).toEqual([]);
+}
+
+/** The text of a colour says the same at every element: axe, which reads it at each anew, takes a third less time so. */
+function readColoursOnce() {
+  /** @typedef {{ r: number, g: number, b: number, alpha: number, parseString: (text: string) => unknown }} Colour */
+  const { prototype } = /** @type {{ prototype: Colour }} */ (Reflect.get(window, 'axe').commons.color.Color);
+  const { parseString } = prototype;
+  /** @type {Map<string, Pick<Colour, 'r' | 'g' | 'b' | 'alpha'>>} */
+  const known = new Map();
+  prototype.parseString = function (text) {
+    const found = known.get(text);
+    if (found) return Object.assign(this, found);
+    parseString.call(this, text);
+    const { r, g, b, alpha } = this;
+    known.set(text, { r, g, b, alpha });
+    return this;
+  };
 }

@@ -22,13 +22,6 @@ const SIGNS = new Map([
   ['**', 'KAREL has no powers: multiply, or use EXP and LN.'],
 ]);
 
-/** By characters that KAREL does not know. @type {Readonly<Record<string, string>>} */
-export const CHARACTERS = {
-  '"': " A text stands in single quotes: 'text'.",
-  '%': ' The rest of a division is MOD.',
-  '!': ' Unequal is <>, and the opposite is NOT.',
-};
-
 /**
  * @param {readonly Token[]} tokens
  * @param {number} at  the one that was not expected

@@ -19,7 +19,6 @@
 import { finished, PIECE } from '../slices.js';
 import { MAX_INTEGER } from '../tree.js';
 import { MAX_STRING_LENGTH } from '../words.js';
-import { CHARACTERS } from './habits.js';
 
 const SPACE = /[ \t\f\v\u00a0\ufeff]+/y;
 const LINE_END = /\r\n|\r|\n/y;
@@ -32,6 +31,13 @@ const DIRECTIVE = /%[ \t]*([A-Za-z_][A-Za-z0-9_]*)((?:'[^'\r\n]*'|(?!--)[^\r\n']
 const COMMENT = /--[^\r\n]*/y;
 const STRING = /'(?:[^'\r\n]|'')*'/y;
 const OPEN_STRING = /'[^\r\n]*/y;
+/** What other languages mean by characters that KAREL does not know. @type {Readonly<Record<string, string>>} */
+const CHARACTERS = {
+  '"': " A text stands in single quotes: 'text'.",
+  '%': ' The rest of a division is MOD.',
+  '!': ' Unequal is <>, and the opposite is NOT.',
+};
+
 /** Tokens. */
 const SOME = 20 * PIECE;
 const LARGEST_REAL = 3.4028235e38;

@@ -10,6 +10,7 @@
  * @import { TpListing } from '../../karel/tp/tree.js'
  * @import { Program } from '../../karel/tree.js'
  * @import { CodeArm } from './codeArm.js'
+ * @import { AlarmText } from '../../karel/run/values.js'
  */
 import { createController, goOn, restoreController, saveController } from '../../karel/controller.js';
 import { levelAt, levelsOf, memoryOf } from '../../karel/controllerTurns.js';
@@ -18,6 +19,7 @@ import { keyOf } from '../../karel/preprocess/files.js';
 import { readPrograms } from './codePrograms.js';
 import { setRegister } from './givenRegisters.js';
 import { registerTexts, variablesOf, watched } from './codeShown.js';
+import { UNSET } from './codeValues.js';
 import { createKrlRun } from './krlRun.js';
 
 /** Instructions, before a program is taken to be endless. */
@@ -84,21 +86,38 @@ export function createCodeRun(programs, id, arm, system = {}, how = {}) {
   );
   if (controller.refusal) return { diagnostics: controller.refusal.diagnostics ?? [] };
   Object.assign(memoryOf(controller).system, system);
-  return { run: debugged(fanuc(controller, read, Object.keys(sources))) };
+  return { run: debugged(fanuc(controller, read, sources)) };
 }
 
-/** @param {ReturnType<typeof createController>} controller @param {ReturnType<typeof readPrograms>} read @param {readonly string[]} ids  of all texts @returns {Debugged<ReturnType<typeof saveController>>} */
-function fanuc(controller, read, ids) {
+/** @param {ReturnType<typeof createController>} controller @param {ReturnType<typeof readPrograms>} read @param {Readonly<Record<string, string>>} sources  all texts by their ids @returns {Debugged<ReturnType<typeof saveController>>} */
+function fanuc(controller, read, sources) {
+  const ids = Object.keys(sources);
   const top = () => /** @type {Level} */ (levelsOf(controller).at(-1));
   const readOf = (/** @type {string} */ program) =>
     read.find(({ name }) => name.toUpperCase() === program.toUpperCase());
   /** Text that %INCLUDE has brought is in a file of its own. */
   const idOf = (/** @type {string} */ program, /** @type {string | undefined} */ file) =>
     (file !== undefined && keyOf(ids, file)) || (readOf(program)?.id ?? '');
+  /** Which variable it is, where the line tells. @param {AlarmText} alarm */
+  function named({ reason, line, file }) {
+    const frame = framesOf(top()).at(-1);
+    const text = sources[idOf(frame?.program ?? '', file)]?.split('\n')[line - 1] ?? '';
+    const words = new Set(
+      text
+        .replace(/'[^']*'|--.*/g, ' ')
+        .toUpperCase()
+        .split(/\W+/),
+    );
+    const unset = variablesOf(top()).filter(({ name, value }) => value === UNSET && words.has(name.toUpperCase()));
+    return unset.length > 0 ? `${reason}: ${[...new Set(unset.map(({ name }) => name))].join(' or ')}` : reason;
+  }
+
   return {
     *go() {
       const ended = yield* goOn(controller);
-      return ended.diagnostics?.length ? refusalOf(ended) : ended;
+      if (ended.diagnostics?.length) return refusalOf(ended);
+      const { alarm } = ended;
+      return alarm?.code === 'uninitialised' ? { ...ended, alarm: { ...alarm, reason: named(alarm) } } : ended;
     },
     save: () => saveController(controller),
     restore: (saved) => restoreController(controller, saved),

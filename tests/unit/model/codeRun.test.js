@@ -295,3 +295,9 @@ test('what a program includes is verified with it, each finding in its own file'
   expect(set.map(({ name }) => name)).toEqual(['main.kl', 'part.kl']);
   expect(runCode(set).findings).toEqual([expect.objectContaining({ severity: 'error', file: 'part.kl', line: 3 })]);
 });
+
+test('which variable was never set is told, where the line has it', () => {
+  const run = runOf("PROGRAM main\nVAR n, other : INTEGER\nBEGIN\n  n = 1\n  n = n + Other -- 'n'\nEND main\n");
+  run.advance(() => false, 1000, NOWHERE);
+  expect(run.outcome()?.alarm).toMatchObject({ line: 5, reason: 'an uninitialised variable is read: other' });
+});

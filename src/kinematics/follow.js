@@ -114,12 +114,13 @@ export function followPose(chain, { q: begin, bent = null }, T_base_goal, option
   search.isSettling = true;
   descend(search);
   search.isSettling = false;
-  const nearest = onBranchOf(chain, here, search.q);
+  const rest = search.q.slice();
+  const nearest = onBranchOf(chain, here, rest);
   const next = stepTowards(chain, q, nearest, mostStep);
   const isNearest = wayTo(chain, next, nearest) === 0;
   const more = { bent: isNearest ? bentAt(chain, nearest, here) : null };
   if (!isNearest) return answer('behind', next, more);
-  const joint = limitInTheWay(chain, nearest, T_base_goal, task, settings);
+  const joint = limitInTheWay(chain, { here, rest, nearest }, T_base_goal, task, settings);
   if (joint !== null) return answer('limit', next, { ...more, joint });
   const place = searchFrom(chain, nearest, T_base_goal, 'position', settings);
   return answer(task !== 'position' && descend(place) === 'met' ? 'orientation' : 'reach', next, more);
@@ -254,17 +255,18 @@ function bentAt(chain, nearest, here) {
 }
 
 /**
- * The joint without whose limit the arm would come much nearer.
+ * The joint without whose limit the arm would come much nearer. If the descent came to rest beside no limit, it may have left
+ * the one that the way ended at for the edge of the branch: then the joint without whose limit the way would have gone on.
  * @param {Chain} chain
- * @param {Float64Array} nearest
+ * @param {{ here: Float64Array, rest: Float64Array, nearest: Float64Array }} postures  nearest: rest, or the edge before it
  * @param {ArrayLike<number>} T_base_goal
  * @param {TaskName} task
  * @param {Parameters<typeof prepareSearch>[2]} settings
  */
-function limitInTheWay(chain, nearest, T_base_goal, task, settings) {
+function limitInTheWay(chain, { here, rest, nearest }, T_base_goal, task, settings) {
   const { lower, upper } = chain.packed;
-  if (!nearest.some((value, i) => value <= lower[i] || value >= upper[i])) return null;
-  const search = searchFrom(chain, nearest, T_base_goal, task, settings);
+  const isBeside = rest.some((value, i) => value <= lower[i] || value >= upper[i]);
+  const search = searchFrom(chain, isBeside ? nearest : here, T_base_goal, task, settings);
   search.maxIterations = 0;
   descend(search);
   const { cost } = search;
@@ -272,7 +274,8 @@ function limitInTheWay(chain, nearest, T_base_goal, task, settings) {
   search.isBounded = false;
   const isMet = descend(search) === 'met';
   search.isBounded = true;
-  const joint = isMet || search.cost < MUCH_BETTER * cost ? farthestPast(chain, search.q) : -1;
+  const isNearer = isMet || (isBeside && search.cost < MUCH_BETTER * cost);
+  const joint = isNearer && (isBeside || !isAcross(chain, here, search.q)) ? farthestPast(chain, search.q) : -1;
   return joint < 0 ? null : joint;
 }
 

@@ -303,6 +303,22 @@ describe('next to a singularity', () => {
       expect(wayTo(description, found, q)).toBeLessThan(way / 2);
     }
   });
+  // Newton's method rests half-way between these and their mirrors, 3e-5 from either, where the loop is open by 1e-12: a list
+  // that took the place for a solution was a solution short, and called itself complete.
+  test.each([
+    [[2.9667975241318345, 0.08081508474424481, -0.01622316260379415, -2.6507631498388946, 0.011682281736284494, 0.79]],
+    [[-0.4637439544312656, 1.3174687391147017, 2.719028470572084, 0.9450132558122277, 0.17979596799773048, 1.6]],
+  ])('the place between two solutions is not listed in the place of one: %j', (q) => {
+    const description = publishedArm('kinova_jaco');
+    const goal = oracleForward(description, q).tcp;
+    const found = solverOf(description)(goal);
+    expectTrue(description, goal, found);
+    expect(found.isComplete).toBe(true);
+    expect(wayTo(description, found, q)).toBeLessThan(5e-7);
+    for (const other of found.postures) {
+      expect(distanceBetween(oracleForward(description, other).tcp, goal)).toBeLessThan(1e-13);
+    }
+  });
 });
 
 describe('other arms', () => {

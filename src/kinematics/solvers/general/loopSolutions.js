@@ -31,6 +31,12 @@ const PERHAPS_SAME = 0.02;
 const HALF_WAY = 4;
 const ROUNDING = 5e-16;
 
+/**
+ * Newton's method also comes to rest between two solutions, where the Jacobian is singular. So a posture that leaves more open
+ * than this, which is more than rounding does, is none if one that leaves less is near it.
+ */
+const LOOSE = 1e-14;
+
 /** Where a zero leads nowhere, so many of its starts get a second chance. */
 const RETRIES = 2;
 
@@ -139,9 +145,18 @@ export function lookBeside(loop, found) {
   for (const q of found.slice()) {
     if (freeDirection(loop, q, direction) > NEARLY_SINGULAR) continue;
     closeLoop(loop, q, STEPS, 0);
-    addBeside(loop, q.slice(), NEAR, found);
+    addBeside(loop, q.slice(), NEAR, found, gapAt(loop, q) > LOOSE ? 2 : 1);
   }
   mergeSame(loop, found);
+  dropRests(loop, found);
+}
+
+/** Of places between solutions only the solutions stay. @param {Loop} loop @param {Float64Array[]} found  changed in place */
+function dropRests(loop, found) {
+  const exact = found.filter((q) => gapAt(loop, q) <= LOOSE);
+  const isRest = (/** @type {Float64Array} */ q) =>
+    !exact.includes(q) && exact.some((other) => wayBetween(loop.slides, q, other) < PERHAPS_SAME);
+  for (let i = found.length - 1; i >= 0; i--) if (isRest(found[i])) found.splice(i, 1);
 }
 
 /** Postures may have moved on to where others are. @param {Loop} loop @param {Float64Array[]} found  changed in place */
@@ -159,13 +174,14 @@ export function mergeSame(loop, found) {
  * @param {Float64Array} q
  * @param {number} way   along `direction`, radians or arm lengths of the joint that moves most
  * @param {Float64Array[]} found
+ * @param {number} [wanted]  how many are enough: there is one on either side of a place between two
  */
-function addBeside(loop, q, way, found) {
+function addBeside(loop, q, way, found, wanted = 1) {
   const { length } = found;
   for (const share of BESIDE) {
     const start = q.map((value, i) => value + share * way * direction[i]);
     addFrom(loop, start, STEPS_BESIDE, found, 0);
-    if (found.length > length) return;
+    if (found.length >= length + wanted) return;
   }
 }
 
@@ -207,12 +223,13 @@ function grouped(zeros) {
  * @param {Report} report
  * @param {Loop} loop
  * @param {Float64Array[]} found
- * @param {boolean} [areDoubles]  whether singular postures stand for two: when `lookBeside` has found no others
+ * @param {boolean} [areDoubles]  whether singular postures stand for two, and loose ones count: when `lookBeside` has found no others
  */
 export function isExplained({ hidden, zeros }, loop, found, areDoubles = false) {
   let count = 0;
   for (const group of grouped(zeros)) {
     const here = found.filter((q) => group.some((zero) => Math.abs(wrapped(q[hidden] - zero.angle)) < reachOf(zero)));
+    if (!areDoubles && here.some((q) => gapAt(loop, q) > LOOSE)) return false;
     const expected = group.reduce((sum, zero) => sum + zero.count, 0);
     const weight = (/** @type {Float64Array} */ q) => (freeDirection(loop, q, direction) < SINGULAR ? 2 : 1);
     const isEnough =

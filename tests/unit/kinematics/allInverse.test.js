@@ -5,6 +5,7 @@ import { createChain } from '../../../src/kinematics/chain.js';
 import { SEED, runs } from '../../helpers/property.js';
 import { angleBetween, columnMajor, distanceBetween, oracleForward, rigid, rodrigues } from './oracle.js';
 import { publishedArm as arm } from './publishedArms.js';
+import { isUntold } from './untold.js';
 
 /** @import { ChainDescription } from '../../../src/kinematics/chain.js' */
 /** @import { AllInverseOptions, AllSolutions } from '../../../src/kinematics/allInverse.js' */
@@ -43,13 +44,13 @@ const apart = ({ joints }, a, b) =>
   Math.max(...joints.map(({ type }, i) => (type === 'prismatic' ? Math.abs(a[i] - b[i]) : turnsApart(a[i], b[i]))));
 
 /**
- * Whether a list has a posture: to six digits; or, next to a singularity, one from which the straight way to it never leaves
- * the pose by more than 1e-8, so that the pose does not tell them apart.
+ * Whether a list has a posture: to six digits; or, next to a singularity, one that the pose does not tell from it: the straight
+ * way to it never leaves the pose by more than 1e-8, or a bent one not even in the last digit.
  * @param {ChainDescription} description @param {AllSolutions} all @param {number[]} q
  */
 const has = (description, { solutions }, q) =>
   solutions.some((solution) => {
-    if (apart(description, solution.q, q) < 1e-6) return true;
+    if (apart(description, solution.q, q) < 1e-6 || isUntold(description, q, [...solution.q])) return true;
     const goal = oracleForward(description, q).tcp;
     return [0.25, 0.5, 0.75].every((part) => {
       const between = q.map((value, i) => {
@@ -139,6 +140,21 @@ describe('all solutions', () => {
     const all = solve(description, q);
     expect(all.complete).toBe(false);
     expect(has(description, all, q)).toBe(true);
+  });
+  test('where the shoulder is within rounding of a singularity, the bend of the wrist is known no better', () => {
+    // Joint 2 at −ε and at ε make the same pose but for d₃²ε²/2b = 3e-16 m, so both stand in the list as one, at 0, and the wrist
+    // makes up for it, bent by ε. But the posture that made the pose has the wrist in line: its outer axes turn as they like,
+    // and where they stand a quarter turn off, a straight way leads to the one in the list.
+    const description = arm('stanford');
+    const q = [0, -2.6e-8, 0.3048, 0, 0, 7e-10];
+    const all = solve(description, q);
+    expect(has(description, all, q)).toBe(true);
+    for (const told of [q.with(1, -1e-5), q.with(4, 1e-5), q.with(2, 0.3049)]) {
+      const others = all.solutions.filter((solution) => isUntold(description, told, [...solution.q]));
+      expect(others).toEqual([]);
+    }
+    const far = { ...all, solutions: all.solutions.filter(({ q: other }) => other[2] < 0) };
+    expect([far.solutions.length, has(description, far, q)]).toEqual([2, false]);
   });
   test('a generic pose of a Puma 560 has eight, each with another name', () => {
     const { solutions } = solve(arm('puma560'), [0.4, 0.9, -2.2, 0.5, 0.7, -1]);

@@ -16,7 +16,7 @@ export const turnsApart = (a, b) => Math.abs(Math.atan2(Math.sin(a - b), Math.co
 const openings = (A, B) => [0, 1, 2].flatMap((i) => [0, 1, 2, 3].map((j) => A[i][j] - B[i][j]));
 
 /** A x = b by Gauss, with the largest pivot of each column. @param {Matrix} A @param {number[]} b @returns {number[]} */
-function solve(A, b) {
+export function solve(A, b) {
   const rows = A.map((row, i) => [...row, b[i]]);
   const n = rows.length;
   for (let k = 0; k < n; k++) {

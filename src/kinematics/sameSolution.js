@@ -111,7 +111,6 @@ export function areSame(chain, T_base_goal, a, b, tolerances, areProven) {
   const rounding = lastDigit(chain);
   const areExact = isWithin(chain, T_base_goal, a, rounding) && isWithin(chain, T_base_goal, b, rounding);
   if (areExact && way > NEIGHBOURS) return false;
-  if (areExact && areProven) return isWithin(chain, T_base_goal, halfWay(chain, a, b).middle, rounding);
   if (areExact) return isWayWithin(chain, T_base_goal, a, b, rounding);
   return (!areProven && way < NEIGHBOURS) || isWayWithin(chain, T_base_goal, a, b, tolerances);
 }

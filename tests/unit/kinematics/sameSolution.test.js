@@ -86,6 +86,16 @@ describe('postures that are near each other', () => {
       { seed: SEED, numRuns: runs(30) },
     );
   });
+  test('are one where what is straight between them is off by more than rounding, and what is at the bottom is not', () => {
+    // A UR3 with its elbow straight: the solver has it bent by ±3.5e-7, and half-way between these the pose is off by 7e-15 m.
+    const { chain, goal } = poseAt(
+      'ur3',
+      [1.5613900224817088, -1.398775476407431, 0, 2.5502254999234353, 1.2256905440739179, -1.625637153764037],
+    );
+    const { solutions, complete } = allInverseKinematics(chain, goal);
+    expect(complete).toBe(true);
+    expect(solutions.filter(({ q }) => Math.abs(q[2]) < 1e-3)).toHaveLength(1);
+  });
   test('are one if they are what rounding makes of an elbow that is straight', () => {
     const chain = createChain(publishedArm('planar3r'));
     const goal = columnMajor(oracleForward(publishedArm('planar3r'), [0.3, 0, 0.4]).tcp);

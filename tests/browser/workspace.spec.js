@@ -48,6 +48,9 @@ test('the section of a planar arm has the area of its closed form, is read by ke
 }) => {
   await open(page, 'robot=planar2r');
   await page.getByRole('tab', { name: 'Workspace' }).click();
+  const volume = page.locator('#fold-reach-volume-body');
+  await volume.getByLabel('The volume is coloured by').selectOption('height'); // there is one height only
+  await expect(volume.getByRole('img')).toHaveAccessibleName(/: 0\.00 mm: 100 % of the volume/);
   await page.locator('#fold-reach-volume').click();
   await page.locator('#fold-reach-section').click();
   const body = page.locator('#fold-reach-section-body');

@@ -60,8 +60,14 @@ export const lengthSign = ({ length }) => unitSign(length);
 /** 12 345 @param {number} count */
 export const grouped = (count) => String(Math.round(count)).replace(/\B(?=(\d{3})+$)/g, ' ');
 
-/** What stands at a line of a drawing's grid. @param {number} metres @param {number} step  m, between lines @param {Units} units */
+/**
+ * What stands at a line of a drawing's grid.
+ * @param {number} metres
+ * @param {number} step  m, between lines; 0 where there is one only, which is written as any length is
+ * @param {Units} units
+ */
 export function tickText(metres, step, units) {
+  if (step === 0) return poseNumber(fromKernel('length', metres, units), units.length);
   const decimals = Math.max(0, -Math.floor(Math.log10(fromKernel('length', step, units)) + 1e-9));
   return fixed(fromKernel('length', metres, units), decimals);
 }

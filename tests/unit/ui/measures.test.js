@@ -31,4 +31,5 @@ test('a grid is read in the units of the document, without digits that say nothi
   expect(tickText(0.5, 0.1, mm)).toBe('500');
   expect(tickText(-0.0005, 0.0005, mm)).toBe('−0.5');
   expect(tickText(0.25, 0.05, { length: 'm', angle: 'rad' })).toBe('0.25');
+  expect(tickText(0, 0, mm)).toBe('0.00'); // all that a planar arm reaches has one height
 });

@@ -18,7 +18,7 @@ import { emitCallOf, isSetByBuiltin, parameterOf, runBuiltin } from './calls.js'
 import { compileBinary, placed } from './operators.js';
 import { asRecord, elementAt, fieldAt, indexIn, portAt } from './places.js';
 import { asPosition, axisOf, CONFIG_BITS } from './positions.js';
-import { systemKey } from './systemVariables.js';
+import { noValueOf, systemKey } from './systemVariables.js';
 import { Alarm, copied, list, number, numbers, text, truth, whole } from './values.js';
 import { variableNamed } from './variablesByName.js';
 
@@ -126,7 +126,9 @@ function compileReading(node, compiler) {
   const at = compileReference(node, compiler);
   return (m, f) => {
     const { holder, key } = at(m, f);
-    return holder[key];
+    const value = holder[key];
+    if (value === undefined && holder === m.state.system) throw new Alarm(noValueOf(String(key)), 'uninitialised');
+    return value;
   };
 }
 

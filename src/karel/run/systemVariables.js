@@ -30,3 +30,6 @@ export const systemKey = (name) => (name === 'UFRAME' || name === 'UTOOL' ? `GRO
 /** As GET_VAR has it: `$MNUFRAME[1,2]`. @param {string} text in capitals */
 export const keyOfText = (text) =>
   systemKey(text.replace(/[$\s]/g, '').replace(/\[([^\]]*)\]/g, (_, list) => `[${list.split(',').join('][')}]`));
+
+/** @param {string} key */
+export const noValueOf = (key) => `$${key.replaceAll('][', ',')} has no value until a program sets it`;

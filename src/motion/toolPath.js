@@ -16,7 +16,8 @@
  * @property {(from: number, to: number, sums: Float64Array) => void} addTurning   likewise adds to sums[k] what k-th
  *   derivatives the angles have by which the tool is turned
  *
- * @typedef {ToolPath & { center: number[], radius: number, normal: number[], sweep: number }} ArcPath  sweep: rad
+ * @typedef {ToolPath & { center: number[], radius: number, normal: number[], sweep: number, viaShare: number }} ArcPath
+ *   sweep: rad; viaShare: where it passes the point on the way
  */
 import { poseFromRotationVector } from '../kinematics/orientations/axisAngle.js';
 import { compose, poseDifference, requirePose } from '../kinematics/pose.js';
@@ -94,9 +95,12 @@ export function arcPath(T_base_from, via, T_base_to) {
   const center = from.map((x, k) => x + toCenter[k]);
   const e = toCenter.map((x) => -x / radius);
   const f = cross(normal, e);
-  const end = minus(to, center);
-  const angle = Math.atan2(dot(end, f), dot(end, e));
-  const sweep = angle > 0 ? angle : angle + 2 * Math.PI; // the normal is such that the way past the point is the positive one
+  // the normal is such that the way past the point is the positive one
+  const [passed, sweep] = [Array.from(via), to].map((point) => {
+    const r = minus(point, center);
+    const angle = Math.atan2(dot(r, f), dot(r, e));
+    return angle > 0 ? angle : angle + 2 * Math.PI;
+  });
   return {
     length: radius * sweep,
     turn,
@@ -105,6 +109,7 @@ export function arcPath(T_base_from, via, T_base_to) {
     radius,
     normal,
     sweep,
+    viaShare: passed / sweep,
     motionAt(share, first, second) {
       const [c, s] = [radius * Math.cos(share * sweep), radius * Math.sin(share * sweep)];
       for (let k = 0; k < 3; k++) {

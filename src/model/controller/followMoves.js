@@ -10,7 +10,8 @@
  * @property {Chain} chain           with the move's tool
  * @property {PosturePath} path      by the share of the way
  * @property {Float64Array} end      posture
- * @property {{ length: number, turn: number } | null} way   of the tool: m, rad; null for a joint move
+ * @property {{ length: number, turn: number, viaShare?: number } | null} way   of the tool: m, rad, and of an arc the share at
+ *   which it passes the point on the way; null for a joint move
  */
 import { tcpPose } from '../../kinematics/forward.js';
 import { followPath } from '../../motion/followPath.js';

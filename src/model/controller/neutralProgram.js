@@ -6,7 +6,7 @@
  * @import { Issue } from '../issues.js'
  * @import { Brand, ControllerFrames } from './frameNumbers.js'
  * @import { FollowedMove } from './followMoves.js'
- * @import { NeutralMove, NeutralProgram, NeutralStep, NeutralTarget } from '../../karel/write/neutral.js'
+ * @import { NeutralMove, NeutralProgram, NeutralStep } from '../../karel/write/neutral.js'
  * @import { Lost } from './lostLaws.js'
  * @import { Chain } from '../../kinematics/chain.js'
  * @import { Move } from '../../motion/moves.js'
@@ -32,45 +32,23 @@
  * @property {ControllerFrames} frames
  * @typedef {{ made: MadeProgram, issues: readonly [] } | { made: null, issues: readonly Issue[] }} Made
  */
-import { dexterity } from '../../kinematics/dexterity.js';
 import { tcpPose } from '../../kinematics/forward.js';
-import { rollPitchYawOf } from '../../kinematics/orientation.js';
 import { compose, invert } from '../../kinematics/pose.js';
-import { compilePose, compilePosture, compileRobot, postureFromKernel } from '../compile.js';
+import { compilePose, compilePosture, compileRobot } from '../compile.js';
 import { isSliding } from '../document.js';
-import { configurationAt } from '../aim/solutions.js';
 import { atOnce, within } from '../inSlices.js';
 import { movesInSlices } from '../program/motionPlan.js';
 import { isMove } from '../program/motionProgram.js';
 import { issue } from '../refusalParts.js';
-import { convertAngle, convertLength, fromKernel } from '../units.js';
+import { convertAngle, convertLength } from '../units.js';
 import { conventionLines } from './controllerConvention.js';
-import { followMove, postureAlong } from './followMoves.js';
+import { followMove } from './followMoves.js';
 import { controllerFrames } from './frameNumbers.js';
-import { valuesInside } from './insideLimits.js';
 import { lawNotes, lostOf, viaWays } from './lostLaws.js';
-
-const CONTROLLER_UNITS = /** @type {const} */ ({ length: 'mm', angle: 'deg' });
+import { controllerPosition, targetAt, taughtValues, viaAt } from './neutralTarget.js';
 
 /** % of the way to where the program begins. */
 const START_SPEED = 10;
-
-/** One over the condition number, below which the decimals of a position leave open where the axes are that it depends on. */
-const SINGULAR = 1e-3;
-
-/** Degrees: an axis nearer than this to where its turn gets another number may be on either side of it, by the decimals of a position. */
-const BORDER = 0.05;
-const FANUC_TURN_AXES = [0, 3, 5];
-
-const REASONS = {
-  border: 'an axis is there where its turn gets another number, and decimals leave open on which side',
-  singular: 'the posture there is singular, and its configuration does not tell it from others',
-  'not-six-axes': 'configurations are for arms with six axes',
-  prismatic: 'configurations are for arms whose axes all turn',
-  'no-spherical-wrist': 'configurations are for arms whose last three axes meet',
-  'no-shoulder': 'the first two axes are parallel, and the arm has no shoulder that a configuration could name',
-  'no-elbow': 'the arm has no elbow that a configuration could name',
-};
 
 /**
  * @param {Doc} doc
@@ -110,18 +88,19 @@ export function* neutralInSlices(doc, program, options) {
     const T_user_world = invert(/** @type {Float64Array} */ (frames.userPose(userFrame)));
     const followed = followMove(chain, from, kernel);
     if ('message' in followed) return followed.message;
-    const targetOf = (/** @type {StepTarget} */ target, /** @type {Float64Array} */ q, /** @type {Float64Array} */ T) =>
-      neutralTarget(robot, chain, target, q, compose(T_user_world, T), step.kind === 'joint');
-    const via =
-      kernel.kind === 'circular' && step.via
-        ? targetOf(step.via, postureNear(followed, kernel.via), kernel.via)
-        : undefined;
+    const around = { robot, chain, T_user_world };
     const T_end = kernel.kind === 'joint' ? tcpPose(chain, followed.end) : kernel.T_base_tcp;
+    const target = targetAt(around, followed.end, T_end, {
+      taught: taughtValues(step.target),
+      isByJoints: step.kind === 'joint',
+    });
+    const via =
+      kernel.kind === 'circular' && step.via ? viaAt(around, followed, kernel.via, taughtValues(step.via)) : undefined;
     const way = ways.of(planIndex, from);
     const lost = lostOf(step, way, followed);
     /** @type {NeutralMove} */
     const move = {
-      ...{ kind: 'move', motion: step.kind, target: targetOf(step.target, followed.end, T_end), ...(via && { via }) },
+      ...{ kind: 'move', motion: step.kind, target, ...(via && { via }) },
       ...{ speed: speedOf(robot, step), acceleration: step.acceleration },
       ending: lost && step.ending.kind !== 'fine' ? { kind: 'percent', value: 100 } : endingOf(robot, step),
       ...{ userFrame, tool, step: index, ...(step.comment && { comment: step.comment }) },
@@ -201,59 +180,6 @@ const startMove = (robot, values) => ({
 /** @param {Doc} doc @param {StepTarget} target */
 const frameOf = (doc, target) =>
   target.kind === 'target' ? doc.targets.find(({ id }) => id === target.id)?.frame : undefined;
-
-/** x y z w p r in mm and degrees. @param {Float64Array} T */
-export const controllerPosition = (T) => [
-  ...[T[12], T[13], T[14]].map((value) => fromKernel('length', value, CONTROLLER_UNITS)),
-  ...rollPitchYawOf(T).map((value) => fromKernel('angle', value, CONTROLLER_UNITS)),
-];
-
-/**
- * @param {RobotDoc} robot
- * @param {Chain} chain
- * @param {StepTarget} target
- * @param {Float64Array} q
- * @param {Float64Array} T_user_tcp
- * @param {boolean} isByJoints  the move: which posture it ends in is not known from where it comes
- * @returns {NeutralTarget}
- */
-function neutralTarget(robot, chain, target, q, T_user_tcp, isByJoints) {
-  const posture = target.kind === 'posture' ? [...target.values] : postureFromKernel(robot, q);
-  const { fanuc, kuka } = configurationAt(robot, chain, posture);
-  const isSingular = isByJoints && 1 / dexterity(chain, q).conditionNumber < SINGULAR;
-  if (isSingular && target.kind !== 'posture' && fanuc.text !== null) {
-    const values = { joints: valuesInside(robot, posture), position: controllerPosition(T_user_tcp) };
-    return { ...values, fanuc: null, kuka: null, isJoint: false, reason: REASONS.singular };
-  }
-  const joints = valuesInside(robot, posture);
-  const onBorder = {
-    fanuc: isByJoints && FANUC_TURN_AXES.some((axis) => isNear(joints[axis], 180)),
-    kuka: isByJoints && joints.some((value) => isNear(value, 0)),
-  };
-  return {
-    ...{ joints, position: controllerPosition(T_user_tcp) },
-    fanuc: onBorder.fanuc ? null : fanuc.text,
-    kuka: onBorder.kuka || kuka.status === null ? null : { status: kuka.status, turn: kuka.turn },
-    isJoint: target.kind === 'posture',
-    reason: REASONS[fanuc.reason ?? 'border'],
-  };
-}
-
-/** Whole turns aside. @param {number} value  degrees @param {number} border */
-const isNear = (value, border) => Math.abs(value - border - 360 * Math.round((value - border) / 360)) < BORDER;
-
-/** How many postures of an arc are looked at for the one at its middle point. */
-const ARC_SAMPLES = 64;
-
-/** Of the postures along an arc, the one whose place is nearest. @param {FollowedMove} followed @param {Float64Array} T_base_via */
-function postureNear({ chain, path }, T_base_via) {
-  const away = (/** @type {Float64Array} */ q) => {
-    const T = tcpPose(chain, q);
-    return Math.hypot(T[12] - T_base_via[12], T[13] - T_base_via[13], T[14] - T_base_via[14]);
-  };
-  const all = Array.from({ length: ARC_SAMPLES + 1 }, (_, i) => postureAlong(path, i / ARC_SAMPLES));
-  return all.reduce((best, q) => (away(q) < away(best) ? q : best));
-}
 
 /** @param {RobotDoc} robot @param {MoveStep} step @returns {NeutralMove['speed']} */
 function speedOf({ units }, { speed, speedUnit }) {

@@ -80,6 +80,8 @@ describe('ways of the tool', () => {
         const nearest = Math.min(...places.map((p) => Math.hypot(...p.map((x, k) => x - b[k]))));
         expect(nearest).toBeLessThan(path.length / 720);
         c.forEach((x, k) => expect(places[720][k]).toBe(x));
+        const passed = path.poseAt(path.viaShare);
+        b.forEach((x, k) => expect(Math.abs(passed[12 + k] - x)).toBeLessThan(1e-9 * path.radius));
       }),
       { seed: SEED, numRuns: runs(60) },
     );

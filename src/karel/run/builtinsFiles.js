@@ -47,7 +47,7 @@ export const FILES = {
     const whole = wholeOf(file, state);
     const at = number(position);
     const isWithin = at >= 0 && at <= whole.length && record(held(file)).path !== undefined;
-    if (isWithin) record(held(file)).rest = whole.slice(at);
+    if (isWithin) Object.assign(record(held(file)), { rest: whole.slice(at), isInLine: false });
     put(status, isWithin ? 0 : REFUSED);
   },
   COPY_FILE: ([from, to, mayReplace, , status], { state }) => copy(from, to, truth(mayReplace), status, state),

@@ -4,6 +4,7 @@
  * @import { Designator, Item, Statement } from '../tree.js'
  * @import { Compiler } from './compiler.js'
  * @import { Frame, Locate, Machine } from './machine.js'
+ * @import { Type } from '../check/types.js'
  */
 import { PREDEFINED_FILES } from '../check/constants.js';
 import { isDesignator } from '../check/context.js';
@@ -12,9 +13,10 @@ import { writtenText } from './format.js';
 import { HALT } from './machine.js';
 import { Alarm, number, record, single, text, whole } from './values.js';
 
-/** IO_STATUS of a file that is not there, and of one that has ended. */
+/** IO_STATUS of a file that is not there, of one that has ended, and where a number was expected (as public programs know it). */
 const NOT_THERE = 2014;
 const ENDED = 2021;
+const NO_NUMBER = 12333;
 /** Not zero; that of a controller is not known. */
 const NO_USAGE = 1;
 const USAGES = new Set(['RO', 'RW', 'AP', 'UD']);
@@ -112,39 +114,51 @@ function compileRead(items, device, at, compiler) {
       return HALT;
     }
     let rest = file ? text(file.rest ?? '') : (state.input.shift() ?? '');
-    if (file && rest === '') file.status = ENDED;
+    if (file) file.status = 0;
+    let isInLine = file?.isInLine === true;
+    let isFaulty = false;
     for (const target of targets) {
       if (!target) {
         rest = rest.replace(/^[^\n]*\n?/, '');
+        isInLine = isFaulty = false;
         continue;
       }
       const { holder, key } = target.at(machine, frame);
-      if (target.type.kind === 'STRING') {
+      if (file && (isFaulty || rest.slice(Number(isInLine && !target.isRaw && rest.startsWith('\n'))) === '')) {
+        // What cannot be read has no value then, nor has what follows up to a CR.
+        if (!isFaulty) file.status = ENDED;
+        isFaulty = true;
+        holder[key] = undefined;
+      } else if (target.type.kind === 'STRING') {
         const most = Math.min(target.width ? number(target.width(machine, frame)) : 254, target.type.length ?? 254);
         // By two formats so many characters, line ends among them; otherwise a line at most, the next one at the end of one.
-        if (!target.isRaw && rest.startsWith('\n')) rest = rest.slice(1);
+        if (!target.isRaw && isInLine && rest.startsWith('\n')) rest = rest.slice(1);
         const [found] = target.isRaw ? [rest] : (/^[^\n]*/.exec(rest) ?? ['']);
-        holder[key] = found.slice(0, most);
-        rest = rest.slice(Math.min(found.length, most));
+        const taken = found.slice(0, most);
+        holder[key] = taken;
+        rest = rest.slice(taken.length);
+        isInLine = !taken.endsWith('\n');
       } else {
         const [taken, found] = /^\s*([^\s,]+),?/.exec(rest) ?? ['', ''];
         const value = /^[+-]?(\d+\.?\d*|\.\d+)(E[+-]?\d+)?$/i.test(found) ? Number(found) : NaN;
-        const isRight = found !== '' && (target.type.kind === 'BOOLEAN' || !Number.isNaN(value));
-        if (isRight)
-          holder[key] =
-            target.type.kind === 'REAL'
-              ? single(value)
-              : target.type.kind === 'BOOLEAN'
-                ? /^(ON|TRUE)$/i.test(found)
-                : whole(Math.trunc(value));
-        else if (file) file.status ??= ENDED;
-        else throw new Alarm(`a number was expected to be read, got "${rest}"`, 'read');
+        const isRight = target.type.kind === 'BOOLEAN' ? found !== '' : !Number.isNaN(value);
+        if (!isRight && !file) throw new Alarm(`a number was expected to be read, got "${rest}"`, 'read');
+        if (!isRight && file) file.status = found === '' ? ENDED : NO_NUMBER;
+        isFaulty = !isRight;
+        holder[key] = isRight ? valueOf(target.type, found, value) : undefined;
         rest = rest.slice(taken.length);
+        isInLine = true;
       }
     }
-    if (file) file.rest = rest;
+    if (file) Object.assign(file, { rest, isInLine });
     return here + 1;
   });
+}
+
+/** @param {Type} type @param {string} word  as it was read @param {number} value */
+function valueOf({ kind }, word, value) {
+  if (kind === 'BOOLEAN') return /^(ON|TRUE)$/i.test(word);
+  return kind === 'REAL' ? single(value) : whole(Math.trunc(value));
 }
 
 /** @param {Extract<Statement, { kind: 'open-file' | 'close-file' | 'cancel-file' }>} statement @param {Compiler} compiler */

@@ -105,6 +105,14 @@ test('a text that is none stays with its reason and its ways out, and the arm ke
   await expect(cell).toBeFocused();
   await expect(cell).toHaveValue('431.8');
   await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
+  // of a joint that the next robot does not have
+  const last = page.getByLabel('Joint 6, link length a, millimetres');
+  await last.fill('90 deg');
+  await last.blur();
+  await expect(line).toContainText('This is an angle');
+  await page.evaluate(() => window.denavit.load('planar2r'));
+  await expect(line).not.toContainText('This is an angle');
+  await expect(page.locator('#panel-robot [aria-invalid=true]')).toHaveCount(0);
 });
 
 test('the grid is walked, edited and left with keys alone; the pointer over a cell is told', async ({ page }) => {

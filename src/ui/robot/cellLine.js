@@ -128,7 +128,8 @@ export function createCellLine({ store }) {
   function redraw() {
     const { robot } = store.state.doc;
     const { cell } = store.state.session;
-    for (const editor of standing.keys()) if (!editor.input.isConnected) standing.delete(editor);
+    for (const [editor, { place }] of standing)
+      if (!editor.input.isConnected || place.joint >= robot.joints.length) standing.delete(editor); // another robot was opened
     const live = typing && isSame(typing.place, cell) ? typing : null;
     const asked = live && 'isQuestion' in live.answer && live.answer.isQuestion ? live.answer : null;
     const [old] = live ? [] : [...standing].filter(([, { place }]) => !cell || isSame(place, cell));

@@ -44,6 +44,9 @@ const MOST_GROWTH = 3;
 /** The postures are on the way to this: arm lengths, radians. */
 const SOLVED = 1e-10;
 
+/** An arm with too few joints for every pose, which decimals and rounding put beside those that it has, may use up this of the promise. */
+const BESIDE = 1 / 2;
+
 /** A posture to begin with may be off the beginning by this (arm lengths, radians), which typed values are. */
 const NEAR = 1e-6;
 
@@ -72,7 +75,10 @@ export function followPath(chain, way, begin, options = {}) {
   requirePositive('positionDeviation', positionDeviation);
   requirePositive('turnDeviation', turnDeviation);
   const { dof } = chain;
-  const solver = createPathSolver(chain, way, SOLVED);
+  const solver = createPathSolver(chain, way, SOLVED, {
+    place: BESIDE * positionDeviation,
+    turn: BESIDE * turnDeviation,
+  });
   const bound = createPathBound(chain);
   let [here, there] = [createKnot(dof), createKnot(dof)];
   const start = Float64Array.from(begin);

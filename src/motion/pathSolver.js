@@ -28,6 +28,9 @@ const FREE_STEPS = 3;
 /** A joint that is sent farther than this by one step (radians, arm lengths) is sent elsewhere. */
 const MOST_CORRECTION = 0.5;
 
+/** A step that leaves more than this share of what was left gains nothing. */
+const AT_REST = 0.99;
+
 /** @param {number} dof @returns {PathKnot} */
 export const createKnot = (dof) => ({
   q: new Float64Array(dof),
@@ -42,8 +45,9 @@ export const createKnot = (dof) => ({
  * @param {Chain} chain
  * @param {ToolPath} path   seen from the chain's root
  * @param {number} solved   a pose is met to so many arm lengths and radians
+ * @param {{ place: number, turn: number }} [missed]   m, rad: an arm that has too few joints may rest so far from a pose
  */
-export function createPathSolver(chain, path, solved) {
+export function createPathSolver(chain, path, solved, missed = { place: 0, turn: 0 }) {
   const { dof, characteristicLength: length } = chain;
   const task = /** @type {TaskName} */ (lesserTasks(chain)[0]?.name ?? 'pose');
   const up = task === 'pose' ? [0, 0, 1] : uprightOf(chain);
@@ -71,6 +75,7 @@ export function createPathSolver(chain, path, solved) {
   const placeLeft = () => Math.hypot(residual[0], residual[1], residual[2]);
   const turnLeft = () => Math.hypot(residual[3], residual[4], residual[5]);
   const left = () => Math.max(placeLeft() / length, turnLeft());
+  const isNear = () => task !== 'pose' && placeLeft() <= missed.place && turnLeft() <= missed.turn;
 
   /** What a twist or its derivative is of the task. @param {Float64Array} vector */
   function shape(vector) {
@@ -106,6 +111,7 @@ export function createPathSolver(chain, path, solved) {
         const now = left();
         // one more step than is needed costs little, and leaves the last digits only
         if (now <= solved && (now > left0 / 4 || now < 1e-14 || steps === 0)) break;
+        if (now > AT_REST * left0 && isNear()) break;
         if (steps === MOST_STEPS || !(now < Infinity) || (steps > FREE_STEPS && now > SLOWEST * left0)) return false;
         left0 = now;
         system.set(J, length);

@@ -30,8 +30,8 @@ import { compose } from '../../kinematics/pose.js';
 import { configurationAt } from '../aim/solutions.js';
 import { compilePosture, postureFromKernel } from '../compile.js';
 import { toKernel } from '../units.js';
-import { pendantValues } from './controllerValues.js';
 import { followMove } from './followMoves.js';
+import { fanucTurns, kukaTurns } from './fullTurns.js';
 import { postureFromPendant } from './pendantNumbers.js';
 
 const UNITS = /** @type {const} */ ({ length: 'mm', angle: 'deg' });
@@ -41,18 +41,15 @@ const MOTIONS = /** @type {Readonly<Record<string, CodeMove['motion']>>} */ ({
   C: 'circular',
 });
 
-/** Which axes the turn numbers of a FANUC configuration count, from 0. */
-const TURN_AXES = [0, 3, 5];
-const FULL_TURN = 360;
-
 /**
  * @param {Doc} doc
  * @param {ControllerFrames} frames
  * @param {Float64Array} from   where the arm stands
  * @param {Effect} effect       of kind move
+ * @param {boolean} [isRounded]  by decimals, as code that is compared with a program
  * @returns {CodeMove | { message: string }}
  */
-export function codeMove(doc, frames, from, effect) {
+export function codeMove(doc, frames, from, effect, isRounded) {
   const { robot } = doc;
   const read = /** @type {MoveEffect} */ (/** @type {unknown} */ (effect));
   const motion = MOTIONS[read.motion];
@@ -85,7 +82,7 @@ export function codeMove(doc, frames, from, effect) {
     : read.via
       ? { kind: 'circular', via: poseOf(read.via, read.viaIsJoint === true), ...tool }
       : { kind: 'linear', ...tool };
-  const followed = followMove(chain, from, kernel);
+  const followed = followMove(chain, from, kernel, isRounded);
   if ('message' in followed) return followed;
   return {
     ...{ line: read.line ?? 0, motion, kernel, followed, speed: read.speed, ending: read.termination },
@@ -148,25 +145,11 @@ function postureIn({ robot }, chain, seed, T, asked) {
   const { solutions } = allInverseKinematics(chain, T, { seed });
   for (const { q } of solutions) {
     if (!asked) return q;
-    const turned = withTurns(pendantValues(robot, postureFromKernel(robot, q)), asked);
-    const posture = postureFromPendant(robot, turned);
+    const found = postureFromKernel(robot, q);
+    const posture = asked.isKuka ? kukaTurns(robot, found, asked.turn) : fanucTurns(robot, found, asked.turns);
     const { fanuc, kuka } = configurationAt(robot, chain, posture);
     const text = asked.isKuka ? `S ${kuka.status} T ${kuka.turn}` : fanuc.text && configText(configOf(fanuc.text) ?? 0);
     if (text === asked.text) return compilePosture(robot, posture);
   }
   return null;
-}
-
-/** The same posture with as many full turns as are asked for. @param {number[]} pendant @param {Asked} asked */
-function withTurns(pendant, { isKuka, turns, turn }) {
-  const within = (/** @type {number} */ value) => value - FULL_TURN * Math.round(value / FULL_TURN);
-  return pendant.map((value, i) => {
-    if (!isKuka) {
-      const counted = TURN_AXES.indexOf(i);
-      return counted < 0 ? value : within(value) + FULL_TURN * turns[counted];
-    }
-    const isNegative = ((turn >> i) & 1) === 1;
-    const least = within(value);
-    return least < 0 === isNegative || least === 0 ? least : least + (isNegative ? -FULL_TURN : FULL_TURN);
-  });
 }

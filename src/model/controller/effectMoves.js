@@ -35,12 +35,14 @@ export function effectMoves(doc, frames, from, effect, isStrict) {
     return { message: 'a position that is moved to is uninitialised' };
   const done =
     raw && system
-      ? codeMove(doc, codeFrames(doc, withOwnFrames(raw, system)), from, {
-          ...effect,
-          userFrame: OWN_FRAME,
-          toolFrame: OWN_FRAME,
-        })
-      : codeMove(doc, frames, from, effect);
+      ? codeMove(
+          doc,
+          codeFrames(doc, withOwnFrames(raw, system)),
+          from,
+          { ...effect, userFrame: OWN_FRAME, toolFrame: OWN_FRAME },
+          isStrict,
+        )
+      : codeMove(doc, frames, from, effect, isStrict);
   if ('message' in done) return done;
   return { moves: [raw ? asSaid(done, effect) : done], missing: [] };
 }

@@ -13,18 +13,23 @@
  * @property {{ length: number, turn: number, viaShare?: number } | null} way   of the tool: m, rad, and of an arc the share at
  *   which it passes the point on the way; null for a joint move
  */
+import { createChain } from '../../kinematics/chain.js';
 import { tcpPose } from '../../kinematics/forward.js';
 import { followPath } from '../../motion/followPath.js';
 import { pathMomentAt, straightPath } from '../../motion/posturePath.js';
 import { arcPath, hasArc, linePath } from '../../motion/toolPath.js';
 
+/** What decimals may put a joint past the limit that it stands at: rad, m. */
+const PAST = { turn: 2e-4, slide: 1e-5 };
+
 /**
  * @param {Chain} chain  with the move's tool
  * @param {Float64Array} from
  * @param {Exclude<Move, { kind: 'wait' }>} move
+ * @param {boolean} [isRounded]  by decimals, which may put joints a little past their limits
  * @returns {FollowedMove | { message: string }}
  */
-export function followMove(chain, from, move) {
+export function followMove(chain, from, move, isRounded = false) {
   if (move.kind === 'joint') {
     return { chain, path: straightPath([0, 1], [from, move.posture]), end: move.posture, way: null };
   }
@@ -36,9 +41,26 @@ export function followMove(chain, from, move) {
     move.kind === 'circular'
       ? arcPath(T_base_from, move.via.subarray(12, 15), T_base_tcp)
       : linePath(T_base_from, T_base_tcp);
-  const found = followPath(chain, way, from);
+  const strict = followPath(chain, way, from);
+  const isAtLimit = isRounded && strict.status === 'refused' && strict.reason === 'limit';
+  const found = isAtLimit ? followPath(withRoom(chain), way, from) : strict;
   if (found.status === 'refused') return { message: REFUSED[found.reason] ?? 'the arm cannot follow this way' };
   return { chain, path: found.path, end: postureAlong(found.path, 1), way };
+}
+
+/** @type {WeakMap<Chain, Chain>} */
+const roomy = new WeakMap();
+
+/** The same arm with limits a little farther out. @param {Chain} chain */
+function withRoom(chain) {
+  const { convention, base, tool, joints } = chain;
+  const wider = joints.map((joint) => {
+    const room = joint.type === 'prismatic' ? PAST.slide : PAST.turn;
+    return { ...joint, lower: joint.lower - room, upper: joint.upper + room };
+  });
+  const known = roomy.get(chain) ?? createChain({ convention, base, tool, joints: wider });
+  roomy.set(chain, known);
+  return known;
 }
 
 /** The posture at a share of a way. @param {PosturePath} path @param {number} share */

@@ -16,13 +16,17 @@
  */
 import { ROUNDING } from '../../karel/write/neutral.js';
 import { dexterity } from '../../kinematics/dexterity.js';
+import { tcpPose } from '../../kinematics/forward.js';
 import { geometricJacobian } from '../../kinematics/jacobian.js';
 import { pathMomentAt } from '../../motion/posturePath.js';
+import { arcPath } from '../../motion/toolPath.js';
 import { limitsOf } from '../program/motionLimits.js';
 import { fromKernel, toKernel } from '../units.js';
 
 const UNITS = /** @type {const} */ ({ length: 'mm', angle: 'deg' });
 const SAMPLES = 8;
+/** Joints of an arm that meets whole poses. */
+const FULL = 6;
 
 /** REAL and the controller's own numbers have 24 bits: of a metre in mm, so much at most. */
 const SINGLE = 2 ** -24;
@@ -62,7 +66,11 @@ function durationOf(way, { value, unit }) {
 /** @param {Doc} doc @param {CodeMove} move @returns {Deviation} */
 export function roundingOf({ robot }, { followed: { chain, end, path }, isJoint }) {
   const here = ROUNDING + SINGLE * 10 ** 4;
-  if (!isJoint) return { millimetres: Math.sqrt(3) * here, degrees: 3 * here };
+  if (!isJoint) {
+    // how the tool of an arm with fewer joints is turned follows from its place and from what of the turn is met
+    const lean = chain.dof < FULL ? dexterity(chain, end).conditionNumber : 1;
+    return { millimetres: Math.sqrt(3) * here, degrees: 3 * here * lean };
+  }
   // A joint that is off by so much takes the tool with it: the sum of all, at either end of the way.
   const both = [pathMomentAt(path, 0).posture, end].map((q) => {
     const J = geometricJacobian(chain, q);
@@ -81,6 +89,40 @@ export function roundingOf({ robot }, { followed: { chain, end, path }, isJoint 
     millimetres: Math.max(...both.map(({ millimetres }) => millimetres)),
     degrees: Math.max(...both.map(({ degrees }) => degrees)),
   };
+}
+
+/** Of a point on an arc, m: so little that the arc changes in proportion. */
+const NUDGE = 1e-7;
+const ARC_SHARES = [0.25, 0.5, 0.75];
+
+/**
+ * What an arc is off by at most, where its three points are off by what their decimals cost: the nearer two of them are to each
+ * other, the more of it between the others.
+ * @param {CodeMove} done
+ * @param {Deviation} before   of where it begins
+ * @param {Deviation} own      of its other two points
+ * @returns {Deviation}
+ */
+export function roundingOfArc({ kernel, followed: { chain, path } }, before, own) {
+  if (kernel.kind !== 'circular') return own;
+  const T_from = tcpPose(chain, pathMomentAt(path, 0).posture);
+  const points = [T_from, kernel.via, kernel.T_base_tcp];
+  const placesOn = (/** @type {readonly Float64Array[]} */ [from, via, to]) => {
+    const arc = arcPath(from, via.subarray(12, 15), to);
+    return ARC_SHARES.map((share) => arc.poseAt(share).slice(12, 15));
+  };
+  const places = placesOn(points);
+  const off = places.map(() => 0);
+  for (const [i, { millimetres }] of [before, own, own].entries()) {
+    const squares = places.map(() => 0);
+    for (let axis = 12; axis < 15; axis++) {
+      const nudged = points.map((T, k) => (k === i ? T.with(axis, T[axis] + NUDGE) : T));
+      for (const [k, place] of placesOn(nudged).entries())
+        squares[k] += place.reduce((sum, value, j) => sum + ((value - places[k][j]) / NUDGE) ** 2, 0);
+    }
+    squares.forEach((square, k) => (off[k] += Math.sqrt(square) * millimetres));
+  }
+  return { ...own, millimetres: Math.max(own.millimetres, ...off) };
 }
 
 /** A joint that is counted with another one is off with that, too. @param {Doc['robot']} robot @param {number} index */

@@ -88,7 +88,7 @@ export function* neutralInSlices(doc, program, options) {
     const T_user_world = invert(/** @type {Float64Array} */ (frames.userPose(userFrame)));
     const followed = followMove(chain, from, kernel);
     if ('message' in followed) return followed.message;
-    const around = { robot, chain, T_user_world };
+    const around = { robot, chain, T_user_world, brand };
     const T_end = kernel.kind === 'joint' ? tcpPose(chain, followed.end) : kernel.T_base_tcp;
     const target = targetAt(around, followed.end, T_end, {
       taught: taughtValues(step.target),

@@ -10,6 +10,7 @@
  * @property {RobotDoc} robot
  * @property {Chain} chain                  with the move's tool
  * @property {Float64Array} T_user_world
+ * @property {'fanuc' | 'kuka'} brand       whose reasons are told
  */
 import { dexterity } from '../../kinematics/dexterity.js';
 import { tcpPose } from '../../kinematics/forward.js';
@@ -19,6 +20,7 @@ import { configurationAt } from '../aim/solutions.js';
 import { postureFromKernel } from '../compile.js';
 import { fromKernel } from '../units.js';
 import { postureAlong } from './followMoves.js';
+import { fanucTurns, haveSameTurns, kukaTurns } from './fullTurns.js';
 import { valuesInside } from './insideLimits.js';
 
 const CONTROLLER_UNITS = /** @type {const} */ ({ length: 'mm', angle: 'deg' });
@@ -31,6 +33,7 @@ const BORDER = 0.05;
 const FANUC_TURN_AXES = [0, 3, 5];
 
 const REASONS = {
+  turns: 'an axis is turned so far there that its configuration does not tell by how much',
   border: 'an axis is there where its turn gets another number, and decimals leave open on which side',
   singular: 'the posture there is singular, and its configuration does not tell it from others',
   'not-six-axes': 'configurations are for arms with six axes',
@@ -60,7 +63,7 @@ export const controllerPosition = (T) => [
  *   in is not known from where it comes
  * @returns {NeutralTarget}
  */
-export function targetAt({ robot, chain, T_user_world }, q, T_world_tcp, { taught, isByJoints }) {
+export function targetAt({ robot, chain, T_user_world, brand }, q, T_world_tcp, { taught, isByJoints }) {
   const position = controllerPosition(compose(T_user_world, T_world_tcp));
   const posture = taught ?? postureFromKernel(robot, q);
   const joints = valuesInside(robot, [...posture]);
@@ -72,14 +75,22 @@ export function targetAt({ robot, chain, T_user_world }, q, T_world_tcp, { taugh
     fanuc: isByJoints && FANUC_TURN_AXES.some((axis) => isNear(joints[axis], 180)),
     kuka: isByJoints && joints.some((value) => isNear(value, 0)),
   };
+  const isTold = (/** @type {readonly number[]} */ read) => !isByJoints || haveSameTurns(robot, posture, read);
+  const told = {
+    fanuc: fanuc.text === null || isTold(fanucTurns(robot, posture, turnsOf(fanuc.text))),
+    kuka: kuka.turn === null || isTold(kukaTurns(robot, posture, kuka.turn)),
+  };
   return {
     ...{ joints, position },
-    fanuc: onBorder.fanuc ? null : fanuc.text,
-    kuka: onBorder.kuka || kuka.status === null ? null : { status: kuka.status, turn: kuka.turn },
+    fanuc: onBorder.fanuc || !told.fanuc ? null : fanuc.text,
+    kuka: onBorder.kuka || !told.kuka || kuka.status === null ? null : { status: kuka.status, turn: kuka.turn },
     isJoint: taught !== null,
-    reason: REASONS[fanuc.reason ?? 'border'],
+    reason: REASONS[fanuc.reason ?? (onBorder[brand] || told[brand] ? 'border' : 'turns')],
   };
 }
+
+/** The turn numbers behind the letters of a configuration. @param {string} text */
+const turnsOf = (text) => text.split(',').slice(1).map(Number);
 
 /**
  * The point that an arc passes, turned as the tool is there. Only its place makes the arc; with an orientation of its own, a

@@ -36,7 +36,7 @@ import { compared, lostText } from './compareMoves.js';
 import { pendantValues } from './controllerValues.js';
 import { effectMoves } from './effectMoves.js';
 import { controllerFrames } from './frameNumbers.js';
-import { moveMargins, roundingOf } from './moveMargins.js';
+import { moveMargins, roundingOf, roundingOfArc } from './moveMargins.js';
 import { runMoves } from './runCode.js';
 
 /** Condition numbers past this are near a singularity: one over it. */
@@ -113,7 +113,7 @@ export function* verifyInSlices(doc, made, files, start = doc.posture, given = [
       const own = roundingOf(doc, done);
       // It begins where the decimals of the one before have put the arm.
       const rounding = {
-        millimetres: Math.max(own.millimetres, roundingBefore.millimetres),
+        millimetres: Math.max(roundingOfArc(done, roundingBefore, own).millimetres, roundingBefore.millimetres),
         degrees: Math.max(own.degrees, roundingBefore.degrees),
       };
       roundingBefore = own;

@@ -6,7 +6,6 @@ import fc from 'fast-check';
 import { expect, test } from 'vitest';
 import { runCode } from '../../../src/model/controller/runCode.js';
 import { verifyCode } from '../../../src/model/controller/verifyCode.js';
-import { pathMomentAt } from '../../../src/motion/posturePath.js';
 import { runs, SEED } from '../../helpers/property.js';
 import { anyStep, ARMS, documentOf, madeOf, WRITERS } from './codePrograms.js';
 
@@ -28,24 +27,10 @@ function expectNumbers(made, effects) {
   }
 }
 
-/** rad and m: more than what decimals move a joint by. */
-const AT_LIMIT = 2e-4;
-
-/** Whether a joint comes to its limit on the way of the tool. @param {MadeProgram} made */
-const comesToLimit = ({ moves }) =>
-  moves.some(
-    ({ kernel, followed: { chain, path } }) =>
-      kernel.kind !== 'joint' &&
-      Array.from({ length: 201 }, (_, k) => pathMomentAt(path, k / 200).posture).some((posture) =>
-        chain.joints.some(({ lower, upper }, i) => posture[i] - lower < AT_LIMIT || upper - posture[i] < AT_LIMIT),
-      ),
-  );
-
 test('the same moves come back, in every language, on twelve arms', () => {
   /** @type {Record<string, number>} */
   const seen = {};
   let turn = 0;
-  let [compared, passed] = [0, 0];
   fc.assert(
     fc.property(fc.array(anyStep, { minLength: 2, maxLength: 5 }), (wanted) => {
       const arm = ARMS[turn++ % ARMS.length];
@@ -60,16 +45,8 @@ test('the same moves come back, in every language, on twelve arms', () => {
           expectNumbers(tried.made, runCode(files).effects);
           const { moves, matches, findings } = verifyCode(tried.doc, tried.made, files);
           const errors = findings.filter(({ severity }) => severity === 'error');
-          // decimals may put a joint past the limit that it comes to on the way: that is found as such, and is the only excuse
-          if (errors.length > 0 && comesToLimit(tried.made)) {
-            expect(errors.map(({ code }) => code).sort()).toEqual(['impossible', 'moves']);
-            expect(errors.some(({ message }) => message.includes('past its limit'))).toBe(true);
-            passed++;
-            continue;
-          }
           expect(errors).toEqual([]);
           expect(matches).toBe(true);
-          compared++;
           for (const { deviation, rounding } of moves) {
             expect(deviation?.millimetres).toBeLessThanOrEqual(Math.max(0.01, rounding.millimetres));
             expect(deviation?.degrees).toBeLessThanOrEqual(Math.max(0.01, rounding.degrees));
@@ -80,6 +57,5 @@ test('the same moves come back, in every language, on twelve arms', () => {
     // 20 programs, or 200: a longer run is ten times as many and not twenty
     { seed: SEED, numRuns: Math.max(20, runs(10)) },
   );
-  expect(passed).toBeLessThan(compared / 20);
   expect(Object.keys(seen).sort()).toEqual([...ARMS].sort());
 });

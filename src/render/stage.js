@@ -142,11 +142,14 @@ export function createStage({ host, clock, quality, text, isCalm = () => false, 
     fit(isAtHome && view.isUntouched ? { from: 'home' } : {});
   }
 
-  /** An arm that has grown or gone out of the picture, where nobody has chosen what is seen of it, is brought back. */
+  /**
+   * An arm that has grown or gone out of the picture, where nobody has chosen what is seen of it, is brought back; one that
+   * became a speck, or is all around the eye, as when metres are read as millimetres, always.
+   */
   function keepInPicture() {
     const extent = scene.extent();
-    if (!isFitted || left || !extent || !surface?.width || !view.isUntouched || view.hasAll(extent.corners)) return;
-    fit({ flies: true });
+    if (!isFitted || left || !extent || !surface?.width) return;
+    if (view.isOutOfRange || (view.isUntouched && !view.hasAll(extent.corners))) fit({ flies: true });
   }
 
   /** @param {ViewName | null} [name] */

@@ -250,6 +250,12 @@ export function createView(element, { clock, isCalm, onChange, onLook }) {
       });
     },
 
+    /** Whether it stands where no hand could take it: the arm is of a wholly other size than when it was last looked at. */
+    get isOutOfRange() {
+      const { distance } = bound ?? viewpoint();
+      return distance < 0.99 * controls.minDistance || distance > 1.01 * controls.maxDistance;
+    },
+
     /** What was free of the view when it was last fitted. */
     get free() {
       return free;

@@ -233,4 +233,9 @@ test('an arm that another reading of its table takes out of the picture is broug
   await read('modified');
   await settled(page);
   expect(await outside()).toBeGreaterThan(0);
+  // another size altogether, as when metres are read as millimetres: nobody chose to look at that
+  const length = page.getByLabel('Joint 2, link length a, millimetres');
+  await length.fill('1e6');
+  await length.press('Enter');
+  await expect(page.locator('.tag.axis', { hasText: /^X$/ }).first()).toBeVisible();
 });

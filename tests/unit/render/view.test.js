@@ -293,6 +293,18 @@ describe('the views', () => {
     }
   });
 
+  test('are out of range where the arm came to be a speck or all around the eye, never by keys', () => {
+    const { view, press } = createStillView(true);
+    const isOut = (/** @type {number} */ size) => (view.scaleTo(size), view.isOutOfRange);
+    view.fit(points, 3, { free: null, from: 'home', flies: false });
+    expect([0.003, 0.1, 1, 3, 9, 600, 3e6].map(isOut)).toEqual([true, true, false, false, false, true, true]);
+    for (const key of ['-', '+']) {
+      view.scaleTo(3);
+      for (let i = 0; i < 60; i++) press(key);
+      expect(isOut(3), key).toBe(false);
+    }
+  });
+
   test('are asked for by keys', () => {
     const { looks, press } = createStillView(true);
     for (const key of ['f', 'Home', '0', '1', '5', '6', 'x', '9']) press(key);

@@ -60,6 +60,8 @@ export function createSolutionsPanel(page, host, onCount) {
   let goal = null;
   /** @type {FoundSolutions | null} */
   let found = null;
+  /** What `found` is of: a search may be under way for another. @type {{ robot: AppState['doc']['robot'], T: Float64Array } | null} */
+  let foundGoal = null;
   let isPartOnly = false;
   let isPlaceOnly = false;
   let looked = -1;
@@ -74,14 +76,15 @@ export function createSolutionsPanel(page, host, onCount) {
     const { doc } = store.state;
     const chain = derived.chain(doc);
     const T = wanted(store.state);
-    const isSame = goal?.robot === doc.robot && gapBetween(goal.T, T).isClosed;
-    if (!isSame) goal = { robot: doc.robot, T };
+    const isAsked = goal?.robot === doc.robot && gapBetween(goal.T, T).isClosed;
+    if (!isAsked) goal = { robot: doc.robot, T };
     const asked = goal;
     if (!asked) return;
+    const isSame = foundGoal === asked;
     cancel();
     apart.forget();
     if (!needsSearch(chain)) return take(solveAll(doc, chain, asked.T), isSame);
-    if (isSame && found) return draw();
+    if (isSame) return draw();
     lead.textContent = SOLUTIONS.searching;
     lead.hidden = false;
     cancel = clock.after(0.15, () =>
@@ -115,6 +118,7 @@ export function createSolutionsPanel(page, host, onCount) {
     const isSameList =
       isSame || (isPlaceOnly && found !== null && isOneList(found.solutions, next.solutions, doc.robot));
     found = isSameList && found ? { ...next, solutions: inOrderOf(found.solutions, next.solutions, doc.robot) } : next;
+    foundGoal = goal;
     families.show(doc.robot, chain, T, found.families, isSame);
     const total = found.solutions.length;
     onCount(total, found.solutions.filter(({ withinLimits }) => withinLimits).length, found.families.length);

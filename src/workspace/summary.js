@@ -19,7 +19,7 @@
  * @property {Record<'height' | 'manipulability' | 'margin' | 'directions', Scale> & { postures: Scale | null }} scales
  */
 
-import { AT_ONCE } from './voxels.js';
+import { AT_ONCE, stepsOf } from './voxels.js';
 
 /** Parts of a scale that is no count. */
 const PARTS = 4;
@@ -96,7 +96,7 @@ function* scaleOf(reached, count, of, { isCount = false, ...fixed }) {
 
 /** @param {Voxels} voxels @param {number} across */
 function* layerArea({ reached, counts, size, isMiddle }, across) {
-  const steps = [1, counts[0], counts[0] * counts[1]].filter((_, axis) => axis !== across);
+  const steps = stepsOf(counts).filter((_, axis) => axis !== across);
   let [all, edge] = [0, 0];
   for (let cube = 0; cube < reached.length; cube++) {
     if (cube % AT_ONCE === AT_ONCE - 1) yield null;

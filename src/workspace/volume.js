@@ -126,6 +126,10 @@ function* askMiddles(voxels, solve, isAll) {
     postures[k] = solve(middleOf(voxels, k)).filter(({ isInside }) => isInside).length;
     if (isAll) reached[k] = Number(postures[k] > 0);
   }
+  if (isAll && !reached.includes(1)) {
+    reached.set(landed); // a curve or a surface goes through no middle
+    return;
+  }
   voxels.postures = postures;
   voxels.isMiddle = isAll;
 }

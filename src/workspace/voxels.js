@@ -89,12 +89,18 @@ export function middleOf({ size, corner, counts }, cube) {
   return [corner[0] + (i + 0.5) * size, corner[1] + (j + 0.5) * size, corner[2] + (k + 0.5) * size];
 }
 
+/**
+ * From a cube to the next along each axis. Where there is one layer only, the next is none: a line of cubes is all edge.
+ * @param {Voxels['counts']} counts
+ */
+export const stepsOf = ([x, y, z]) => [1, x, x * y].map((step, axis) => ([x, y, z][axis] === 1 ? x * y * z : step));
+
 /** @param {Voxels} voxels @returns {Generator<null, Voxels>} the same, its volume counted */
 export function* measuring(voxels) {
   const { reached, counts, size } = voxels;
   let all = 0;
   let edge = 0;
-  const steps = [1, counts[0], counts[0] * counts[1]];
+  const steps = stepsOf(counts);
   for (let k = 0; k < reached.length; k++) {
     if (k % AT_ONCE === AT_ONCE - 1) yield null;
     if (!reached[k]) continue;

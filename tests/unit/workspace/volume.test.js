@@ -8,7 +8,7 @@ import { mapVolume } from '../../../src/workspace/volume.js';
 import { cubeAt, emptyVoxels, measuring, middleOf } from '../../../src/workspace/voxels.js';
 import { surfacing } from '../../../src/workspace/voxelSurface.js';
 import { publishedArm } from '../kinematics/publishedArms.js';
-import { anthropomorphic, cartesian, planar, scara } from './arms.js';
+import { anthropomorphic, armOf, cartesian, planar, scara, sliding } from './arms.js';
 
 /** @import { ChainDescription } from '../../../src/kinematics/chain.js' */
 /** @import { VolumeOptions } from '../../../src/workspace/volume.js' */
@@ -93,6 +93,15 @@ test('what lies in one plane is in the middle of its cubes', () => {
   const { voxels } = volumeOf(planar([0.5, 0.3]), { cell: 0.1 });
   expect(voxels.counts[2]).toBe(1);
   expect(middleOf(voxels, 0)[2]).toBe(0);
+});
+
+test('a curve is where it is, and its area may be none: of an arm without a link, with a joint held, of slides in line', () => {
+  const slide = sliding([0, 0, 0, 0], [0, 0.2]);
+  for (const arm of [planar([0, 0.3]), planar([0.5, 0.3], [[], [0.3, 0.3]]), armOf(slide, slide)]) {
+    const summary = atOnce(summarising(volumeOf(arm, { cell: 0.1 }).voxels));
+    expect(summary?.count).toBeGreaterThan(0);
+    expect(summary?.layer?.area).toBeLessThanOrEqual(summary?.layer?.areaError ?? 0);
+  }
 });
 
 test('a cube is found again by its middle', () => {

@@ -18,7 +18,10 @@
  * @property {boolean} hasHead   the first row names the columns
  * @property {boolean} isNamed   the roles come from names, not from the usual order
  * @property {boolean} isModified  the names are those of the modified convention: a and α of i − 1
- * @property {{ length?: Units['length'], angle?: Units['angle'] }} units  that the names tell
+ * @property {{ length?: PastedUnits['length'], angle?: Units['angle'] }} units  that the names tell
+ * @property {Partial<Record<DhField, Partial<PastedUnits>>>} others  those of columns whose name tells another unit than that
+ *
+ * @typedef {{ length: Units['length'] | 'in', angle: Units['angle'] }} PastedUnits  a table may be in inches
  */
 const ROLE_NAMES = /** @type {const} */ ([
   ['theta', /^(θ|ϑ|theta|th|joint angle|angle)$/],
@@ -35,7 +38,12 @@ const ROLE_NAMES = /** @type {const} */ ([
 /** @type {Record<'standard' | 'modified', readonly DhField[]>} as their books write them */
 export const USUAL_ORDER = { standard: ['theta', 'd', 'a', 'alpha'], modified: ['alpha', 'a', 'd', 'theta'] };
 
-const UNIT = /[([/,]?\s*\b(mm|cm|m|deg|degrees?|rad|radians?)\b\.?\s*[)\]]?\s*$|[([/]?\s*°\s*[)\]]?\s*$/i;
+/** The unit that the later ones tell is that of the others. */
+const DH_ORDER = /** @type {const} */ (['theta', 'd', 'a', 'alpha']);
+
+const UNIT = /[([/,]?\s*(?:\bin\s+)?(?:\b(?:mm|cm|m|in|inch|inches|deg|degrees?|rad|radians?)\b\.?|°)\s*[)\]]?\s*$/i;
+/** Beside words, as in “link length aᵢ”. */
+const SYMBOL = /^(θ|ϑ|theta|d|a|α|⍺|alpha)$/;
 const INDEX = /[_\s]*[([]?\s*(i\s*[-−]\s*1|i|j|n|k|ᵢ|ⱼ|ᵢ₋₁|ⱼ₋₁)\s*[)\]]?$/;
 
 /** @param {string} cell @returns {{ role: ColumnRole | null, isBefore: boolean, unit: string | null }} */
@@ -47,8 +55,22 @@ function headOf(cell) {
   const bare = name.replace(INDEX, '').trim();
   const found =
     ROLE_NAMES.find(([, pattern]) => pattern.test(name)) ??
-    ROLE_NAMES.find(([, pattern]) => bare !== '' && pattern.test(bare));
+    ROLE_NAMES.find(([, pattern]) => bare !== '' && pattern.test(bare)) ??
+    ROLE_NAMES.find(([, pattern]) => pattern.test(symbolIn(name)));
   return { role: found?.[0] ?? null, isBefore, unit };
+}
+
+/** The one symbol among the words of a name. @param {string} name */
+function symbolIn(name) {
+  const symbols = name.split(/[\s,;:()]+/).flatMap((word) => word.replace(INDEX, '').match(SYMBOL)?.[0] ?? []);
+  return symbols.length === 1 ? symbols[0] : '?';
+}
+
+/** @param {string} unit as in a name @returns {Partial<PastedUnits>} */
+function unitCalled(unit) {
+  if (/deg|°/.test(unit)) return { angle: 'deg' };
+  if (/rad/.test(unit)) return { angle: 'rad' };
+  return { length: /mm/.test(unit) ? 'mm' : /cm/.test(unit) ? 'cm' : /\bin\b(?!\s+m)|inch/.test(unit) ? 'in' : 'm' };
 }
 
 /**
@@ -61,15 +83,20 @@ export function guessColumns(rows, convention) {
   const named = heads.filter(({ role }) => role !== null && role !== 'none');
   const hasNumbers = rows[0].some((cell) => /^[-+−]?\d/.test(cell));
   if (named.length >= 2 && !hasNumbers) {
+    const roles = once(heads.map(({ role }) => role ?? 'none'));
+    const told = DH_ORDER.flatMap((field) => {
+      const unit = heads[roles.indexOf(field)]?.unit;
+      return unit ? [/** @type {const} */ ([field, unitCalled(unit)])] : [];
+    });
     /** @type {ColumnGuess['units']} */
-    const units = {};
-    for (const { role, unit } of heads) {
-      if (!unit) continue;
-      if (role === 'a' || role === 'd') units.length = /mm/.test(unit) ? 'mm' : /cm/.test(unit) ? 'cm' : 'm';
-      if (role === 'theta' || role === 'alpha') units.angle = /rad/.test(unit) ? 'rad' : 'deg';
-    }
+    const units = Object.assign({}, ...told.map(([, unit]) => unit));
+    const others = Object.fromEntries(
+      told.filter(
+        ([, { length, angle }]) => (length ?? units.length) !== units.length || (angle ?? units.angle) !== units.angle,
+      ),
+    );
     const isModified = heads.some(({ role, isBefore }) => isBefore && (role === 'a' || role === 'alpha'));
-    return { roles: once(heads.map(({ role }) => role ?? 'none')), hasHead: true, isNamed: true, isModified, units };
+    return { roles, hasHead: true, isNamed: true, isModified, units, others };
   }
   const start = rows[0].length > 4 && isNumbering(rows.map((row) => row[0])) ? 1 : 0;
   const { standard, modified } = USUAL_ORDER;
@@ -78,7 +105,7 @@ export function guessColumns(rows, convention) {
   const suits = (/** @type {string[]} */ order) => rows.some((row) => TURN.test(row[order.indexOf('theta')] ?? ''));
   const order = suits(orders[0]) || !suits(orders[1]) ? orders[0] : orders[1];
   const roles = rows[0].map((_, column) => /** @type {ColumnRole} */ (order[column] ?? 'none'));
-  return { roles, hasHead: false, isNamed: false, isModified: false, units: {} };
+  return { roles, hasHead: false, isNamed: false, isModified: false, units: {}, others: {} };
 }
 
 /** A second column of the same name is not used. @param {ColumnRole[]} roles */

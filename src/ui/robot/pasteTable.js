@@ -3,19 +3,20 @@
  * cell comes to and what changes. It is loaded when it is first opened.
  *
  * @import { Page } from '../page.js'
- * @import { ColumnRole } from '../../io/tableTextColumns.js'
- * @import { Convention, DhField, Units } from '../../model/document.js'
+ * @import { ColumnGuess, ColumnRole, PastedUnits } from '../../io/tableTextColumns.js'
+ * @import { Convention, DhField } from '../../model/document.js'
  * @import { Plan } from './pasteTablePlan.js'
  */
 import { readTableText } from '../../io/tableText.js';
 import { guessColumns } from '../../io/tableTextColumns.js';
 import { DH_FIELDS } from '../../model/document.js';
+import { convertLength } from '../../model/units.js';
 import { ANGLE_UNITS, CONVENTIONS, LENGTH_UNITS } from '../../model/documentRules.js';
 import '../css/typedIn.css';
 import '../css/pasteTable.css';
 import { DISMISSES, dialogFoot, dialogHead, openDialog } from '../parts/dialog.js';
 import { fill, h } from '../parts/dom.js';
-import { compact, plain } from '../parts/format.js';
+import { compact, plain, withUnit } from '../parts/format.js';
 import { icon } from '../parts/icons.js';
 import { attempt } from '../page.js';
 import { planPaste } from './pasteTablePlan.js';
@@ -25,6 +26,9 @@ import { PASTE } from '../words/pasteTable.js';
 const ROLES = /** @type {readonly ColumnRole[]} */ (['theta', 'd', 'a', 'alpha', 'offset', 'none']);
 const SHOWN_FAULTS = 4;
 const BRIEF = 8;
+
+/** Hardly an arm: its table may be in other units than it is read in. */
+const SHORT_METRES = 0.01;
 
 /**
  * @param {Page} page
@@ -36,13 +40,13 @@ export function openPasteTable(page, pasted, cell) {
   const { store, announce } = page;
   const { robot } = store.state.doc;
   const start = DH_FIELDS.findIndex((field) => field === cell?.field);
-  /** @type {{ roles: ColumnRole[], rows: readonly (readonly string[])[], plan: Plan | null }} */
-  const now = { roles: [], rows: [], plan: null };
+  /** @type {{ roles: ColumnRole[], others: ColumnGuess['others'], rows: readonly (readonly string[])[], plan: Plan | null }} */
+  const now = { roles: [], others: {}, rows: [], plan: null };
 
   const text = h('textarea', { class: 'text-box', rows: 5, spellcheck: 'false', id: 'paste-text' });
   text.value = pasted.slice(0, 100_000);
   const summary = h('p', { class: 'soft sm' });
-  const length = select(PASTE.lengths, LENGTH_UNITS, robot.units.length);
+  const length = select(PASTE.lengths, [...LENGTH_UNITS, 'in'], robot.units.length);
   const angle = select(PASTE.angles, ANGLE_UNITS, robot.units.angle);
   const convention = select(PASTE.convention, CONVENTIONS, robot.convention);
   const scope = select(PASTE.scope, ['replace', 'fill'], 'replace', {
@@ -69,6 +73,7 @@ export function openPasteTable(page, pasted, cell) {
     const isBlock = found.rows[0].length < DH_FIELDS.length && !guess.isNamed;
     if (!scope.element.hidden) scope.control.value = isBlock || now.rows.length < 2 ? 'fill' : 'replace';
     now.roles = [...guess.roles];
+    now.others = guess.others;
     if (guess.units.length) length.control.value = guess.units.length;
     if (guess.units.angle) angle.control.value = guess.units.angle;
     if (guess.isModified) convention.control.value = 'modified';
@@ -91,10 +96,10 @@ export function openPasteTable(page, pasted, cell) {
   function draw() {
     const isFill = scope.control.value === 'fill' && !scope.element.hidden;
     convention.element.hidden = isFill;
-    const units = /** @type {Units} */ ({ length: length.control.value, angle: angle.control.value });
+    const units = /** @type {PastedUnits} */ ({ length: length.control.value, angle: angle.control.value });
     now.plan = now.rows.length
       ? planPaste(robot, {
-          ...{ rows: now.rows, roles: now.roles, units, from: isFill && cell ? cell.joint : null },
+          ...{ rows: now.rows, roles: now.roles, others: now.others, units, from: isFill && cell ? cell.joint : null },
           convention: /** @type {Convention} */ (convention.control.value),
         })
       : null;
@@ -104,7 +109,8 @@ export function openPasteTable(page, pasted, cell) {
   }
 
   /** @param {Plan} plan @param {boolean} isFill */
-  function outcomeOf({ faults, changes, hasPi, rows }, isFill) {
+  function outcomeOf({ faults, changes, hasPi, rows, longest }, isFill) {
+    const { length } = robot.units;
     if (faults.length) {
       const more = faults.length - SHOWN_FAULTS;
       return h(
@@ -114,6 +120,8 @@ export function openPasteTable(page, pasted, cell) {
         more > 0 && h('li', {}, PASTE.more(more)),
       );
     }
+    const missing = DH_FIELDS.filter((field) => !now.roles.includes(field)).map((field) => PASTE.role[field]);
+    const staying = rows.some(({ joint, isRetyped }) => !isRetyped && robot.joints[joint]?.lower !== undefined);
     const retyped = rows.filter(({ isRetyped }) => isRetyped).map(({ joint }) => `J${joint + 1}`);
     return h(
       'p',
@@ -121,8 +129,14 @@ export function openPasteTable(page, pasted, cell) {
       [
         PASTE.changes(changes),
         !isFill && rows.length !== robot.joints.length && PASTE.count(robot.joints.length, rows.length),
+        !isFill && missing.length > 0 && PASTE.missing(missing.join(', ')),
+        !isFill && staying && PASTE.limitsStay,
         retyped.length > 0 && PASTE.types(retyped.join(', ')),
         hasPi && PASTE.piAsRadians,
+        !isFill &&
+          longest > 0 &&
+          convertLength(longest, length, 'm') < SHORT_METRES &&
+          PASTE.short(withUnit(compact(longest, BRIEF).text, length)),
       ]
         .filter(Boolean)
         .join(' '),

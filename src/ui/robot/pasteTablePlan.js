@@ -2,7 +2,7 @@
  * What a pasted table will do to the document: the command, every cell of it with the number it comes to or the reason
  * why it comes to none, and what changes. Pure; the dialog draws it.
  *
- * @import { ColumnRole, PastedCell } from '../../io/tableTextColumns.js'
+ * @import { ColumnGuess, ColumnRole, PastedCell, PastedUnits } from '../../io/tableTextColumns.js'
  * @import { Convention, DhField, RobotDoc, Units } from '../../model/document.js'
  * @import { TableCommand, TableRow } from '../../model/robot/tableCommand.js'
  *
@@ -20,6 +20,7 @@
  * @property {readonly string[]} faults  none of them: the command can be carried out
  * @property {boolean} hasPi
  * @property {number} changes
+ * @property {number} longest  of the lengths that are given, in the document's unit
  * @property {TableCommand} command
  */
 import { readPastedRow } from '../../io/tableTextColumns.js';
@@ -34,12 +35,13 @@ import { PASTE } from '../words/pasteTable.js';
  * @param {object} given
  * @param {readonly (readonly string[])[]} given.rows  without the head
  * @param {readonly ColumnRole[]} given.roles
- * @param {Units} given.units
+ * @param {PastedUnits} given.units
+ * @param {ColumnGuess['others']} [given.others]
  * @param {Convention} given.convention
  * @param {number | null} given.from  the joint that the first row goes to; null: the rows are the whole table
  * @returns {Plan}
  */
-export function planPaste(robot, { rows, roles, units, convention, from }) {
+export function planPaste(robot, { rows, roles, units, others = {}, convention, from }) {
   const first = from ?? 0;
   const faults = [];
   let hasPi = false;
@@ -51,7 +53,7 @@ export function planPaste(robot, { rows, roles, units, convention, from }) {
     for (const field of DH_FIELDS) {
       const cell = cells[field];
       if (!cell) continue;
-      const read = readCell(cell, field, units, robot.units);
+      const read = readCell(cell, field, { ...units, ...others[field] }, robot.units);
       hasPi ||= read.hasPi;
       plan[field] = {
         raw: cell.raw,
@@ -75,24 +77,34 @@ export function planPaste(robot, { rows, roles, units, convention, from }) {
   }
   const changed = planned.flatMap(({ cells }) => DH_FIELDS.filter((field) => cells[field]?.isNew));
   const command = commandOf(robot, planned, from === null ? convention : robot.convention, from);
-  return { rows: planned, faults, hasPi, changes: changed.length, command };
+  const longest = Math.max(
+    0,
+    ...planned.flatMap(({ cells: { a, d } }) => [a, d].map((cell) => Math.abs(cell?.value ?? 0))),
+  );
+  return { rows: planned, faults, hasPi, changes: changed.length, longest, command };
 }
 
 /**
- * @param {PastedCell} cell @param {DhField} field @param {Units} units @param {Units} target
+ * @param {PastedCell} cell @param {DhField} field @param {PastedUnits} pasted @param {Units} target
  * @returns {{ cell: { value: number | null, text?: string, reason: string | null }, hasPi: boolean }}
  */
-function readCell({ raw, text, fault }, field, units, target) {
+function readCell({ raw, text: typed, fault }, field, pasted, target) {
   const against = (/** @type {string} */ reason) => ({ cell: { value: null, reason }, hasPi: false });
   if (fault) return against(PASTE.cell[fault](raw));
-  if (text === '') return against(PASTE.cell.empty);
+  if (typed === '') return against(PASTE.cell.empty);
   const quantity = field === 'a' || field === 'd' ? 'length' : 'angle';
+  const isInches = quantity === 'length' && pasted.length === 'in';
+  const units = /** @type {Units} */ ({ ...pasted, ...(pasted.length === 'in' && { length: target.length }) });
   const convert = (/** @type {number} */ value, /** @type {Units['angle']} */ angle) =>
     quantity === 'length'
       ? convertLength(value, units.length, target.length)
       : convertAngle(value, angle, target.angle);
-  const plain = readNumber(text);
-  if (plain.reason === null) return { cell: { value: convert(plain.value, units.angle), reason: null }, hasPi: false };
+  const plain = readNumber(typed);
+  if (plain.reason === null && (!isInches || plain.value === 0)) {
+    return { cell: { value: convert(plain.value, units.angle), reason: null }, hasPi: false };
+  }
+  const isBareInches = isInches && (plain.reason === null || evaluate(typed, quantity, units).found?.isBare);
+  const text = !isBareInches ? typed : `${plain.reason === null ? typed : `(${typed})`} in`;
   const { found, reason } = evaluate(text, quantity, units);
   if (reason !== null) return against(`“${raw}”: ${reason}`);
   const angle = found.isUnclear ? 'rad' : units.angle;

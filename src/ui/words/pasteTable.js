@@ -47,6 +47,9 @@ export const PASTE = {
   changes: (/** @type {number} */ count) => (count === 1 ? 'One number changes.' : `${count} numbers change.`),
   count: (/** @type {number} */ from, /** @type {number} */ to) => `${from} joints become ${to}.`,
   types: (/** @type {string} */ joints) => `${joints}: another type, and with it limits and home are cleared.`,
+  missing: (/** @type {string} */ names) => `No column is ${names}: those numbers stay.`,
+  limitsStay: 'Limits and home stay.',
+  short: (/** @type {string} */ length) => `The longest length is ${length}: look at the unit of the lengths.`,
   apply: 'Fill the table',
   cancel: 'Cancel',
   done: (/** @type {number} */ count) =>

@@ -44,7 +44,7 @@ function plan(text, convention = 'standard', from = null) {
   const guess = guessColumns(table.rows, convention);
   const rows = guess.hasHead ? table.rows.slice(1) : table.rows;
   const units = { ...MM_DEG, ...guess.units };
-  return { guess, ...planPaste(puma560, { rows, roles: guess.roles, units, convention, from }) };
+  return { guess, ...planPaste(puma560, { rows, roles: guess.roles, units, others: guess.others, convention, from }) };
 }
 
 describe('a pasted table', () => {
@@ -110,6 +110,19 @@ describe('a pasted table', () => {
     });
     expect(command.rows[1]).toMatchObject({ numbers: { a: 304.8 }, texts: { a: '12 in' } });
     expect(hasPi).toBe(false);
+  });
+
+  test('in inches, or with another unit in each column, is read as its head says, whatever words stand about the symbol', () => {
+    const inches = 'Joint\tLink length a_i [in]\talpha_i in rad\tOffset, d (inch)\tθ_i (joint angle), deg\n';
+    const { guess, command, faults } = plan(`${inches}1\t0\tpi/2\t10\tq1 + 45\n2\t3/2\t0\t-2 mm\tq2`);
+    expect(faults).toEqual([]);
+    expect(guess.roles).toEqual(['none', 'a', 'alpha', 'd', 'theta']);
+    expect(guess.units.length).toBe('in');
+    const [one, two] = command.rows;
+    expect(one.numbers).toEqual({ theta: 45, d: 254, a: 0, alpha: 90 });
+    expect(two.numbers).toEqual({ theta: 0, d: -2, a: 38.1, alpha: 0 });
+    expect([one.texts?.d, two.texts?.a, two.texts?.d]).toEqual(['10 in', '(3/2) in', '-2 mm']);
+    expect(plan('a (m)\td in mm\n1\t2\n3\t4').command.rows[0].numbers).toEqual({ a: 1000, d: 2 });
   });
 
   test('fills a block from a joint on, and leaves the other numbers as they are', () => {

@@ -37,6 +37,17 @@ export const coupled = (make, coupledTo, coupling) => (index) => ({
 });
 
 /**
+ * A joint that the controller counts from elsewhere, or the other way.
+ * @param {(index: number) => JointDoc} make
+ * @param {1 | -1} sign
+ * @param {number} [offset]
+ * @returns {(index: number) => JointDoc}
+ */
+export const counted =
+  (make, sign, offset = 0) =>
+  (index) => ({ ...make(index), controller: { sign, offset, coupling: 0 } });
+
+/**
  * @param {string} name
  * @param {string | null} source  of its numbers
  * @param {((index: number) => JointDoc)[]} joints

@@ -4,6 +4,7 @@ import { writeKrl } from '../../../src/karel/write/krl.js';
 import { writeTp } from '../../../src/karel/write/tp.js';
 import { tcpPose } from '../../../src/kinematics/forward.js';
 import { compilePosture, compileRobot } from '../../../src/model/compile.js';
+import { postureFromPendant } from '../../../src/model/controller/pendantNumbers.js';
 import { neutralProgram } from '../../../src/model/controller/neutralProgram.js';
 import { verifyCode } from '../../../src/model/controller/verifyCode.js';
 import { LIBRARY, newDocument } from '../../../src/model/library.js';
@@ -21,8 +22,9 @@ test.for(
     ['T 27', [-20, -70, 95, -40, -50, 30], "S 'B110',T 'B11011'"],
     ['T 19', [-20, -70, 95, 40, -50, 30], "S 'B110',T 'B10011'"],
   ]),
-)('KUKA’s published S 6 with %s is written, and a wrong status or turn is found on its line', ([, q, text]) => {
+)('KUKA’s published S 6 with %s is written, and a wrong status or turn is found on its line', ([, axes, text]) => {
   const base = newDocument(LIBRARY.kuka_kr6_r900);
+  const q = postureFromPendant(base.robot, axes);
   const target = {
     kind: /** @type {const} */ ('pose'),
     ...poseInUnits(tcpPose(compileRobot(base.robot), compilePosture(base.robot, q)), base.robot.units),

@@ -17,6 +17,9 @@ const MAX_COMMENT_LENGTH = 16;
 export const titleOf = ({ name, robotName }) =>
   `${plainText(robotName, LONGEST_NAME) || 'Robot'}: ${plainText(name, LONGEST_NAME) || 'program'}`;
 
+/** What FANUC's user frame 0 is. @param {Pick<NeutralProgram, 'zero'>} program */
+export const zeroOf = ({ zero = 'the world of the controller, on axis 1 at the height of axis 2' }) => zero;
+
 /**
  * Lines for a comment, without its signs.
  * @param {NeutralProgram} program
@@ -24,11 +27,13 @@ export const titleOf = ({ name, robotName }) =>
  * @param {string} about.does         what this file does, and with which others
  * @param {string} about.world        what frame 0 is on this controller
  * @param {readonly WriteNote[]} about.notes
+ * @param {string} [about.axis]       what axes are called, with their numbers
  * @returns {string[]}
  */
-export function headerLines(program, { does, world, notes }) {
+export function headerLines(program, { does, world, notes, axis = 'J' }) {
   const { version, generatedAt, convention, slides, frames, check = [] } = program;
   const paragraph = (/** @type {string} */ text) => wrapped(plainText(text), WIDTH);
+  const named = (/** @type {string} */ text) => text.replace(/\bJ(?=\d)/g, axis);
   const moves = movesOf(program);
   return [
     titleOf(program),
@@ -45,8 +50,10 @@ export function headerLines(program, { does, world, notes }) {
       `${moves.length} moves. Positions in mm and degrees: x y z, then turns about the fixed x, y, z. ${world}`,
     ),
     ...frames.map(frameText),
-    ...paragraph(`Joint values, ${axisUnits(slides)}, as the teach pendant shows them${convention.length ? ':' : '.'}`),
-    ...convention.flatMap((line) => wrapped(plainText(line), WIDTH - 2).map((text) => `  ${text}`)),
+    ...paragraph(
+      `Joint values, ${named(axisUnits(slides))}, as the teach pendant shows them${convention.length ? ':' : '.'}`,
+    ),
+    ...convention.flatMap((line) => wrapped(plainText(named(line)), WIDTH - 2).map((text) => `  ${text}`)),
     ...paragraph(`All are rounded to 3 decimals, by at most ${ROUNDING}.`),
     ...(notes.length > 0 ? ['', ...notes.flatMap(({ message }) => paragraph(`Note: ${message}`))] : []),
     ...(check.length > 0 ? ['', ...check] : []),

@@ -8,8 +8,8 @@ import { fanucNames } from '../fanucNames.js';
 import { printInSlices } from '../printer.js';
 import { finished, inPieces } from '../slices.js';
 import { binary, call, integer, name, real } from '../tree.js';
-import { headerLines } from './header.js';
-import { assign, comment, karelProgram, OWN, targetParts } from './karelParts.js';
+import { headerLines, zeroOf } from './header.js';
+import { assign, axisCountNotes, comment, karelProgram, OWN, targetParts } from './karelParts.js';
 import { isWrittenAsPosition, missingConfigurations, movesOf, roundedWaits } from './neutral.js';
 
 const MOTION = { joint: 'JOINT', linear: 'LINEAR', circular: 'CIRCULAR' };
@@ -27,6 +27,7 @@ export const writeKarelMove = (program, options) => finished(writeKarelMoveInSli
 
 /** The same, some moves at a time. @param {NeutralProgram} program @param {WriteOptions} [options] @returns {Generator<null, Written>} */
 export function* writeKarelMoveInSlices(program, { programName = program.name } = {}) {
+  const moves = movesOf(program);
   const own = fanucNames(programName, [...Object.values(OWN), ...Object.values(NAMES)]).karel;
   /** @type {WriteNote[]} */
   const notes = [
@@ -40,9 +41,9 @@ export function* writeKarelMoveInSlices(program, { programName = program.name } 
     ...roundedWaits(program, DELAY_DECIMALS),
     {
       ...{ severity: 'note', code: 'unverified-move' },
-      message:
-        'How corners are rounded ($DECELTOL), and that joints go at the share $SPEED / $SPEEDLIMJNT of their full rates, is not verified; accelerations are not written.',
+      message: `How corners are rounded ($DECELTOL)${moves.some(({ ending }) => ending.kind === 'distance') ? '; by a distance they are written as NODECEL, which has none' : ''}, and that joints go at the share $SPEED / $SPEEDLIMJNT of their full rates, is not verified; accelerations are not written.`,
     },
+    ...axisCountNotes(program),
   ];
   let [userFrame, tool] = [-1, -1];
   const statementsFor = (/** @type {NeutralStep} */ step) => {
@@ -59,7 +60,7 @@ export function* writeKarelMoveInSlices(program, { programName = program.name } 
   yield* inPieces(program.steps, (piece) => void body.push(...piece.flatMap(statementsFor)));
   const header = headerLines(program, {
     does: 'For R-J3iB and older: this program moves by itself, with MOVE. It holds motion group 1 while it runs.',
-    world: 'User frame 0 is the world of the controller, on axis 1 at the height of axis 2; tool 0 is the flange.',
+    world: `User frame 0 is ${zeroOf(program)}; tool 0 is the flange.`,
     notes,
   });
   const tree = karelProgram(own, program, header, [], variablesFor(program), [], body);

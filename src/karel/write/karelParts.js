@@ -2,7 +2,7 @@
  * Parts of KAREL programs that writers share: positions and joint values as statements, checks of what a built-in answers.
  *
  * @import { Declaration, Expression, Program, Routine, Statement } from '../tree.js'
- * @import { NeutralProgram, NeutralTarget } from './neutral.js'
+ * @import { NeutralProgram, NeutralTarget, WriteNote } from './neutral.js'
  */
 import { plainText } from '../plainText.js';
 import { binary, call, integer, name, real, string, unary } from '../tree.js';
@@ -18,6 +18,20 @@ export const OWN = {
   status: 'status',
   check: 'check_it',
 };
+
+/** Axes of the arms whose joint values are known to go through CNV_REL_JPOS. */
+const KNOWN_AXES = 6;
+
+/** @param {Pick<NeutralProgram, 'slides'>} program @returns {WriteNote[]} */
+export const axisCountNotes = ({ slides: { length } }) =>
+  length === KNOWN_AXES
+    ? []
+    : [
+        {
+          ...{ severity: 'warning', code: 'axis-count' },
+          message: `Joint values are known to arrive by CNV_REL_JPOS for ${KNOWN_AXES} axes only; this arm has ${length}. If the controller refuses, nothing moves.`,
+        },
+      ];
 
 /** @param {string} text @returns {Statement} */
 export const comment = (text) => ({ kind: 'comment', text: plainText(text, 64) });

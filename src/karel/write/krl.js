@@ -15,9 +15,13 @@ const MOTION = /** @type {const} */ ({ joint: 'PTP', linear: 'LIN', circular: 'C
 
 /** Names of the language that a program cannot have. */
 const TAKEN = new Set(
-  'DEF END PTP LIN CIRC BAS WAIT FOR IF THEN ELSE LOOP WHILE REPEAT UNTIL GOTO EXIT HALT RETURN INT REAL BOOL CHAR POS AXIS FRAME SWITCH CASE'.split(
-    ' ',
-  ),
+  (
+    'AND ANIN ANOUT AXIS B_AND B_EXOR B_NOT B_OR BAS BOOL BRAKE CASE CCLOSE CHANNEL CHAR CIRC CIRC_REL CONFIRM CONST CONTINUE COPEN CREAD CWRITE ' +
+    'DECL DEF DEFAULT DEFDAT DEFFCT DELAY DIGIN DISTANCE DO E6AXIS E6POS ELSE ELSEIF END ENDDAT ENDFCT ENDFOR ENDIF ENDLOOP ENDSPLINE ENDSWITCH ' +
+    'ENDWHILE ENUM EXIT EXOR EXT EXTFCT FALSE FOR FRAME GLOBAL GOTO HALT IF IMPORT INTERRUPT IS INT LIN LIN_REL LOOP MAXIMUM MINIMUM NOT ON OFF OR ' +
+    'PATH POS PRIO PTP PTP_REL PUBLIC PULSE REAL REPEAT RESUME RETURN SCIRC SEC SIGNAL SLIN SPL SPLINE SPTP SREAD STEP STRUC SWITCH SWRITE SYNC ' +
+    'THEN TO TRIGGER TRUE UNTIL WAIT WHEN WHILE WITH'
+  ).split(' '),
 );
 
 /** @param {string} wanted @returns {string} a name that KUKA takes */
@@ -88,6 +92,7 @@ export function* writeKrlInSlices(program, { programName = program.name } = {}) 
     world:
       'A B C of a position turn about z, y, x: the last of the three turns first. Base 0 is the world of the model; tool 0 is the flange.',
     notes,
+    axis: 'A',
   });
   /** @type {KrlModule} */
   const module = { kind: 'krl', name, comments: header, statements, data };
@@ -182,6 +187,11 @@ function notesFor(program) {
     note(
       'unverified-ending',
       'Corners of LIN and CIRC by a share are written as C_VEL with $APO.CVEL, which is not verified to be the same share.',
+    );
+  if (moves.some(({ motion, ending }) => motion === 'joint' && ending.kind === 'distance'))
+    note(
+      'unverified-ending',
+      'Corners of PTP by a distance are written as C_PTP C_DIS with $APO.CDIS: between two PTP moves $APO.CPTP, which is a share, counts on some controllers.',
     );
   if (moves.some(({ motion, acceleration }) => motion !== 'joint' && acceleration !== 100))
     note(

@@ -9,6 +9,7 @@
  * @property {string} generatedAt   ISO 8601, shown as it stands
  * @property {readonly string[]} convention    how pendant values come from the model's
  * @property {readonly boolean[]} slides       for each axis
+ * @property {string} [zero]   what FANUC's user frame 0 is, for an arm whose axis 2 has no height
  * @property {readonly NeutralFrame[]} frames  that the moves use; 0, the controller's world and the flange, is not among them
  * @property {readonly NeutralStep[]} steps
  * @property {readonly WriteNote[]} [notes]    what of the program no controller's language holds

@@ -12,12 +12,11 @@ import { call, integer, name } from '../tree.js';
 import { printTpInSlices } from '../tp/printer.js';
 import { register } from '../tp/tree.js';
 import { fanucNotes, headRemarks, linesFor, listingFor, motionFor } from './fanucMoves.js';
-import { headerLines } from './header.js';
-import { comment, karelProgram, OWN, stopPastLimits, targetParts } from './karelParts.js';
+import { headerLines, zeroOf } from './header.js';
+import { axisCountNotes, comment, karelProgram, OWN, stopPastLimits, targetParts } from './karelParts.js';
 import { missingConfigurations } from './neutral.js';
 
 const USUAL_REGISTERS = 100;
-const KNOWN_AXES = 6;
 
 /** @param {NeutralProgram} program @param {WriteOptions} [options] @returns {Written} */
 export const writePair = (program, options) => finished(writePairInSlices(program, options));
@@ -65,16 +64,11 @@ export function* writePairInSlices(program, { programName = program.name, firstR
       'many-registers',
       `The targets take registers up to PR[${last}]; a controller has ${USUAL_REGISTERS} unless it was set up for more.`,
     );
-  if (program.slides.length !== KNOWN_AXES)
-    note(
-      'warning',
-      'axis-count',
-      `Joint values are known to arrive by CNV_REL_JPOS for ${KNOWN_AXES} axes only; this arm has ${program.slides.length}. If the controller refuses, nothing moves.`,
-    );
+  notes.push(...axisCountNotes(program));
 
   const header = headerLines(program, {
     does: `${names.karel}.kl fills ${registers} of motion group 1, whatever they hold, and then calls ${names.tp} (${mover}.ls), which moves through them. Load ${names.tp} first, and never run it alone.`,
-    world: 'User frame 0 is the world of the controller, on axis 1 at the height of axis 2; tool 0 is the flange.',
+    world: `User frame 0 is ${zeroOf(program)}; tool 0 is the flange.`,
     notes,
   });
   const filler = karelProgram(

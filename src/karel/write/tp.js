@@ -9,6 +9,7 @@ import { finished } from '../slices.js';
 import { printTpInSlices } from '../tp/printer.js';
 import { register } from '../tp/tree.js';
 import { fanucNotes, headRemarks, linesFor, listingFor, motionFor, positionFor } from './fanucMoves.js';
+import { zeroOf } from './header.js';
 import { missingConfigurations } from './neutral.js';
 
 /** @param {NeutralProgram} program @param {WriteOptions} [options] @returns {Written} */
@@ -27,7 +28,7 @@ export function* writeTpInSlices(program, { programName = program.name } = {}) {
     const via = move.via && place(move.via);
     return motionFor(move, place(move.target), via);
   });
-  const about = ['UFRAME 0 is the world, on axis 1 at the height of axis 2. UTOOL 0 is the flange.'];
+  const about = [`UFRAME 0 is ${zeroOf(program).replace(' of the controller', '')}. UTOOL 0 is the flange.`];
   const listing = listingFor(name, program, [...headRemarks(program, about), ...lines], positions);
   return {
     files: [{ name: `${name.toLowerCase()}.ls`, language: 'fanuc-tp', text: yield* printTpInSlices(listing) }],

@@ -11,6 +11,9 @@ import { isSliding, limitsOf, quantityOf } from '../document.js';
 /** Degrees: one full turn. */
 const FULL_TURN = 360;
 
+/** FANUC couples J3 to J2 in arms of at least so many axes. */
+const COUPLED = 4;
+
 /** How far past a limit is still at the limit: what bringing a value back from radians may cost, as a share of it. */
 const ROUNDING = 1e-12;
 
@@ -20,8 +23,9 @@ const SHOWN_DIGITS = 9;
 /** @param {RobotDoc} robot @param {'fanuc' | 'kuka'} brand @returns {Issue[]} */
 export function robotIssues(robot, brand) {
   if (hasControllerData(robot)) return [];
+  const couldBeCoupled = robot.joints.length >= COUPLED && !robot.joints.slice(1, 3).some(isSliding);
   const message = `${robot.name} has no controller data: the joint values in the code are the model's own${
-    brand === 'fanuc' ? ", and the coupling of FANUC's J3 to J2 is not set" : ''
+    brand === 'fanuc' && couldBeCoupled ? ", and the coupling of FANUC's J3 to J2 is not set" : ''
   }.`;
   return [{ severity: 'warning', code: 'no-controller-data', path: 'robot.joints', message }];
 }

@@ -12,7 +12,13 @@ import { linkFrames } from '../../kinematics/forward.js';
 import { compose, identity, invert, translation } from '../../kinematics/pose.js';
 import { compileRobot } from '../compile.js';
 import { identityPose } from '../document.js';
+import { fromKernel } from '../units.js';
 import { agree, framePose, poseOnly } from '../frames/frames.js';
+
+const MILLIMETRES = /** @type {const} */ ({ length: 'mm', angle: 'deg' });
+
+/** Sine of the angle between axes that are parallel. */
+const PARALLEL = 1e-9;
 
 /**
  * @param {Doc} doc
@@ -39,12 +45,14 @@ export function controllerFrames(doc, brand, own = {}) {
     });
   }
   const ownTool = activeTool === undefined ? (isBare ? undefined : named('tool', '')) : named('tool', activeTool);
-  const T_world_zero = brand === 'fanuc' ? fanucWorld(compileRobot(robot)) : identity();
+  const chain = compileRobot(robot);
+  const T_world_zero = brand === 'fanuc' ? fanucWorld(chain) : identity();
   /** @type {Map<number, Chain>} */
   const chains = new Map();
   return {
     numbered,
     T_world_zero,
+    zero: zeroText(chain),
     /** @param {MoveStep} step */
     toolOf: ({ tool }) => (tool === undefined ? ownTool : named('tool', tool))?.number ?? 0,
     /** @param {string | undefined} id */
@@ -83,6 +91,19 @@ function fanucWorld(chain) {
   const T_0_1 = compose(invert(T_world_0), T_world_1);
   const [x, y] = chain.convention === 'modified' ? [T_0_1[12], T_0_1[13]] : [0, 0];
   return compose(T_world_0, translation([x, y, T_0_1[14]]));
+}
+
+/** What FANUC's world is to an arm, where axis 2 has no height to tell it by. @param {Chain} chain @returns {string | undefined} */
+function zeroText(chain) {
+  const [{ type }, second] = chain.joints;
+  if (type === 'prismatic') return 'taken to be the base of the model';
+  const frames = linkFrames(chain, new Float64Array(chain.dof));
+  const [z0, z1] = [frames.subarray(8, 11), frames.subarray(24, 27)];
+  const isAlong =
+    Math.hypot(z0[1] * z1[2] - z0[2] * z1[1], z0[2] * z1[0] - z0[0] * z1[2], z0[0] * z1[1] - z0[1] * z1[0]) < PARALLEL;
+  if (!isAlong && second.type !== 'prismatic') return undefined;
+  const height = fromKernel('length', compose(invert(frames.slice(0, 16)), fanucWorld(chain))[14], MILLIMETRES);
+  return `taken to be on axis 1, ${Number(height.toFixed(3)) + 0} mm from the base of the model`;
 }
 
 /** The first number that no frame of its kind has, and no unnumbered one before it gets. @param {readonly FrameDoc[]} frames @param {FrameDoc} frame */

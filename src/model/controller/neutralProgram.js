@@ -150,6 +150,7 @@ export function* neutralInSlices(doc, program, options) {
       program: {
         ...{ name: program.name, robotName: robot.name, version, generatedAt, steps },
         ...{ convention: conventionLines(robot), slides: robot.joints.map(isSliding), notes: lawNotes(moves) },
+        ...(frames.zero && { zero: frames.zero }),
         frames: used.map(({ kind, number, name, pose }) => ({
           ...{ kind, number, name: name || 'in use' },
           position: controllerPosition(

@@ -171,7 +171,7 @@ function saidOnce(findings) {
 }
 
 /** @param {CodeMove} done @param {MoveMargins} margins @param {string | null} before @returns {[string, string][]} */
-function concerns({ motion, configuration }, { limit, singularity, rate }, before) {
+function concerns({ motion, configuration, followed }, { limit, singularity, rate }, before) {
   /** @type {[string, string][]} */
   const list = [];
   if (limit && limit.room < 0) list.push(['limit', `Joint ${limit.joint + 1} is past its limit here.`]);
@@ -179,7 +179,7 @@ function concerns({ motion, configuration }, { limit, singularity, rate }, befor
   if (rate && rate.share > 1)
     list.push([
       'rate',
-      `Joint ${rate.joint + 1} would have to turn at ${(100 * rate.share).toFixed(0)}% of its rate for this speed.`,
+      `Joint ${rate.joint + 1} would have to ${followed.chain.joints[rate.joint].type === 'prismatic' ? 'slide' : 'turn'} at ${(100 * rate.share).toFixed(0)}% of its rate for this speed.`,
     ]);
   const letters = configuration?.split(',')[0] ?? null;
   if (motion === 'linear' && letters && before && letters !== before && !letters.startsWith('S'))

@@ -103,11 +103,12 @@ test('what it does not know it says, with its line; and what cannot be written i
     { statements: [{ kind: /** @type {const} */ ('call'), program: 'a()\nb' }] },
   ])
     expect(() => printKrl({ ...MODULE, ...part })).toThrow(RangeError);
-  expect(['Größe 2', '2 arms', '', 'PTP', 'a'.repeat(40)].map(krlName)).toEqual([
+  expect(['Größe 2', '2 arms', '', 'PTP', 'Trigger', 'a'.repeat(40)].map(krlName)).toEqual([
     'Grosse_2',
     'P_2_arms',
     'P',
     'PTP_1',
+    'Trigger_1',
     'a'.repeat(24),
   ]);
 });

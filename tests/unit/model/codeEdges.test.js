@@ -112,3 +112,20 @@ test.for(
     if (one.brand === brand) expect(one.notes).toContain('Step 2 goes to joint values: an axis is turned so far');
   }
 });
+
+test('a slide that is too slow for a speed would have to slide, a joint to turn', () => {
+  const quick = { ...byTool, speed: 1900 };
+  for (const [arm, from, to, word] of /** @type {[string, number[], number[], string][]} */ ([
+    ['cart_ppp', [100, 100, 100], [200, 100, 100], 'slide'],
+    ['planar2r', [20, 40], [24, 43], 'turn'],
+  ])) {
+    const { joints } = LIBRARY[arm];
+    const robot = { ...LIBRARY[arm], joints: joints.map((joint) => ({ ...joint, velocity: 10 })) };
+    const moves = [
+      { ...byJoints, target: { kind: /** @type {const} */ ('posture'), values: from } },
+      { kind: /** @type {const} */ ('linear'), ...quick, target: poseAt(robot, to) },
+    ];
+    for (const { findings } of verified(robot, moves))
+      expect(findings.find(({ code }) => code === 'rate')?.message).toMatch(`would have to ${word} at`);
+  }
+});

@@ -158,6 +158,48 @@ test('a slide is written in millimetres, and other than six axes are said not to
   expect(written.notes.map(({ code }) => code)).toContain('axis-count');
 });
 
+test('nothing is said of FANUC’s arms that an arm has not, and axes of a KUKA are A1 to A6', () => {
+  const about = (/** @type {RobotDoc} */ robot, /** @type {CodeFormat} */ format) => {
+    const { files, issues, notes } = writtenOf(
+      recorded(
+        robot,
+        robot.joints.map(() => 10),
+        robot.joints.map(() => 20),
+      ),
+      format,
+    );
+    const text = files.map((file) => file.text.replace(/\s+(?:--|;|\d+:\s*!)?\s*/g, ' ')).join(' ');
+    return { text, said: [...issues, ...notes].map(({ message }) => message).join(' ') };
+  };
+  for (const format of /** @type {const} */ (['pair', 'karel-move'])) {
+    const gantry = about(LIBRARY.cart_ppp, format);
+    expect(gantry.text).toContain('User frame 0 is taken to be the base of the model; tool 0');
+    expect(gantry.said).not.toContain('coupling of FANUC');
+    expect(gantry.said).toContain('this arm has 3');
+    expect(about(LIBRARY.scara_cobra600, format).text).toContain(
+      'taken to be on axis 1, 387 mm from the base of the model',
+    );
+    expect(about(LIBRARY.ur5, format).said).toContain('coupling of FANUC');
+  }
+  expect(about(LIBRARY.puma560, 'tp').text).toContain('UFRAME 0 is the world, on axis 1');
+  const kuka = about(LIBRARY.kuka_kr210_l150, 'krl').text;
+  expect(kuka).toContain('Joint values, A1 to A6 in degrees');
+  expect(kuka).toContain('A3 = q3 + 90 deg');
+});
+
+test('corners by a distance: what MOVE and PTP have no word for is said', () => {
+  const doc = programmed([
+    moveTo([0, 10, 0, 0, 40, 0], { ending: { kind: 'distance', value: 5 } }),
+    moveTo([0, 20, 0, 0, 40, 0]),
+  ]);
+  const said = (/** @type {CodeFormat} */ format) =>
+    writtenOf(doc, format)
+      .notes.map(({ message }) => message)
+      .join(' ');
+  expect(said('karel-move')).toContain('by a distance they are written as NODECEL');
+  expect(said('krl')).toContain('C_PTP C_DIS');
+});
+
 test('postures of any arm come out as they went in, to half a thousandth', () => {
   const anyCase = fc.constantFrom(...Object.values(LIBRARY)).chain((robot) => {
     const value = fc.double({ min: -720, max: 720, noNaN: true });
@@ -170,9 +212,10 @@ test('postures of any arm come out as they went in, to half a thousandth', () =>
       expect(read).toHaveLength(values.length);
       read.forEach((written, i) =>
         written.forEach((value, j) => {
-          // where the controller counts J3 from the horizontal, J2 is not in its number
-          const { coupledTo } = robot.joints[j].controller;
-          const expected = coupledTo === 'joint_2' ? values[i][j] - values[i][1] : values[i][j];
+          // where the controller counts J3 from the horizontal, J2 is not in its number; KUKA counts from elsewhere
+          const { coupledTo, sign, offset } = robot.joints[j].controller;
+          const own = sign * values[i][j] + offset;
+          const expected = coupledTo === 'joint_2' ? own - values[i][1] : own;
           expect(Math.abs(value - expected)).toBeLessThanOrEqual(0.0005 + 1e-9);
         }),
       );

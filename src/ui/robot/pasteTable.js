@@ -130,8 +130,8 @@ export function openPasteTable(page, pasted, cell) {
         PASTE.changes(changes),
         !isFill && rows.length !== robot.joints.length && PASTE.count(robot.joints.length, rows.length),
         !isFill && missing.length > 0 && PASTE.missing(missing.join(', ')),
-        !isFill && staying && PASTE.limitsStay,
         retyped.length > 0 && PASTE.types(retyped.join(', ')),
+        !isFill && staying && PASTE.limitsStay(retyped.length > 0),
         hasPi && PASTE.piAsRadians,
         !isFill &&
           longest > 0 &&

@@ -48,7 +48,7 @@ export const PASTE = {
   count: (/** @type {number} */ from, /** @type {number} */ to) => `${from} joints become ${to}.`,
   types: (/** @type {string} */ joints) => `${joints}: another type, and with it limits and home are cleared.`,
   missing: (/** @type {string} */ names) => `No column is ${names}: those numbers stay.`,
-  limitsStay: 'Limits and home stay.',
+  limitsStay: (/** @type {boolean} */ others) => `${others ? 'The other limits' : 'Limits'} and homes stay.`,
   short: (/** @type {string} */ length) => `The longest length is ${length}: look at the unit of the lengths.`,
   apply: 'Fill the table',
   cancel: 'Cancel',

@@ -7,9 +7,10 @@
  * @import { Chain } from '../chain.js'
  *
  * @typedef {'wrist' | 'elbow' | 'shoulder' | 'other'} SingularityKind
- *   wrist: axes 4 and 6 are parallel. elbow: two joints that follow each other move the centre the same way: the arm is
- *   stretched or folded; of a SCARA arm, its parallel axes are in one plane. shoulder: joint 1 moves the centre as joints 2
- *   and 3 could: it is above the shoulder. other: singular in a way that has no name here.
+ *   wrist: axes 4 and 6 are parallel; of a wrist without an arm, axes 1 and 3. elbow: two joints that follow each other
+ *   move the centre the same way: the arm is stretched or folded; of a SCARA arm, its parallel axes are in one plane.
+ *   shoulder: joint 1 moves the centre as joints 2 and 3 could: it is above the shoulder. other: singular in a way that has
+ *   no name here.
  *
  * @typedef {object} Axes
  * @property {number} dof
@@ -83,6 +84,13 @@ function build(axes) {
   return isParallel ? { centre, wrist: 'parallel' } : null;
 }
 
+/** Whether the arm is a wrist and nothing else: three turning axes that meet. @param {Axes} axes */
+function isWrist(axes) {
+  if (axes.dof !== 3 || axes.turns.includes(false)) return false;
+  const centre = meeting(axes, 0, 1);
+  return centre !== null && offAxis(axes, 2, centre) < NEAR && !areParallel(axes, 1, 2);
+}
+
 /** How joint i moves a point, over L; of a slide, its direction. @param {Axes} axes @param {number} i @param {ArrayLike<number>} point */
 function velocity(axes, i, point) {
   const z = direction(axes, i);
@@ -144,6 +152,7 @@ function armKinds(axes, { centre, wrist }) {
 export function singularityKinds(chain, q) {
   const axes = axesAt(chain, q);
   if (isPlanar(axes)) return isFlat(axes) ? ['elbow'] : ['other'];
+  if (isWrist(axes)) return areParallel(axes, 0, 2) ? ['wrist'] : ['other'];
   const built = build(axes);
   if (!built) return ['other'];
   const kinds = armKinds(axes, built);

@@ -86,6 +86,21 @@ describe('known singular postures are recognised', () => {
   });
 });
 
+test('a wrist without an arm has no elbow: it is singular where its first axis and its last are parallel, wherever the tool is', () => {
+  for (const last of [{ d: 0.2 }, { d: 0.2, a: 0.1 }]) {
+    const joints = [revolute({ alpha: -PI / 2 }), revolute({ alpha: PI / 2 }), revolute(last)];
+    const chain = createChain({ convention: 'standard', joints });
+    for (const q of [
+      [0.3, 0, 0.5],
+      [0.3, PI, 0.5],
+    ]) {
+      expect(dexterity(chain, q).rank).toBe(2);
+      expect(singularityKinds(chain, q)).toEqual(['wrist']);
+    }
+    expect(singularityKinds(chain, [0.3, 0.7, 0.5])).toEqual(['other']);
+  }
+});
+
 test('what is not singular has no name', () => {
   expect(singularityKinds(planar(1, 1), [0.3, 0.5])).toEqual(['other']);
   expect(singularityKinds(chainOf('puma560'), [0.1, 0.5, -0.3, 0.4, 0.6, 0.2])).toEqual(['other']);

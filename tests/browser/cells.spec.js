@@ -110,6 +110,7 @@ test('a text that is none stays with its reason and its ways out, and the arm ke
   await last.fill('90 deg');
   await last.blur();
   await expect(line).toContainText('This is an angle');
+  await page.getByLabel('Joint 6, link offset d, millimetres').focus();
   await page.evaluate(() => window.denavit.load('planar2r'));
   await expect(line).not.toContainText('This is an angle');
   await expect(page.locator('#panel-robot [aria-invalid=true]')).toHaveCount(0);

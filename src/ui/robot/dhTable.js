@@ -121,7 +121,7 @@ export function createDhTable(page, host) {
       },
       onTyped: (_, answer) => cellLine.typed(cell, place, answer),
       text: () => textOf(jointAt(row), field) ?? show(row, field),
-      resting: () => rest(input, row, field),
+      resting: () => (jointAt(row) ? rest(input, row, field) : ''), // left because its row is gone
     });
     input.addEventListener('focus', () => {
       store.dispatch({ type: 'show', change: { cell: place } });

@@ -174,6 +174,19 @@ test('what is held moves by the clock until it is let go, is one step to undo, a
   await ticks(2);
   await expect(page.locator('.jog-word')).toHaveText('');
 
+  // Curves of an arm that is exchanged while it moves are over.
+  /** @type {string[]} */
+  const errors = [];
+  page.on('pageerror', ({ message }) => errors.push(message));
+  await page.evaluate(() => {
+    window.denavit.setJoints([5, 45, -160, 0, 40, 0]);
+    return window.denavit.load('planar2r');
+  });
+  await expect.poll(async () => (await ticks(2), curves.locator('tbody tr').count())).toBe(3);
+  expect(errors).toEqual([]);
+  await page.evaluate(() => window.denavit.undo());
+  await ticks(2);
+
   // It runs into singularities from outside: past a wrist that is almost straight it slows down, and an elbow that gets
   // straight is the end; no joint goes faster than it may in any frame.
   await page.locator('#fold-motion').click(); // what is drawn of it takes time

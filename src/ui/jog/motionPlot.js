@@ -164,7 +164,7 @@ export function createMotionPlot(page, host) {
   /** In each frame from a change until the arm has come to rest. */
   function look() {
     isAsked = false;
-    if (!isOpen || isPaused || !recording || !seen) return;
+    if (!isOpen || isPaused || isOther() || !recording || !seen) return;
     const next = now();
     const isMoved = next.values.some((value, i) => value !== seen?.values[i]);
     let isAtRest = false;

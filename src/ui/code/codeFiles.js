@@ -8,6 +8,7 @@
  * @import { NewProgram } from './openCode.js'
  */
 import { freeCodeId } from '../../model/code/codeCommands.js';
+import { firstWay } from '../../model/code/firstWay.js';
 import { fileName } from '../../model/controller/codeSets.js';
 import { attempt } from '../page.js';
 import { withChoices } from '../parts/choices.js';
@@ -35,13 +36,15 @@ export function createFileMenu(page, { choose, chosen, refuse, rename }) {
   /** @param {string} name @param {ProgramDoc['language']} language @param {(id: string) => string} text */
   const one = (name, language, text) => () => add([{ name, language, text }]);
 
+  const way = () => firstWay(store.state.doc, CODE.newWay);
+
   /** KAREL is not to move the arm itself; with it comes a TP program that does, unless one is there. */
   function addKarel() {
     const { programs } = store.state.doc;
     const there = programs.find(({ id, language }) => /^go_lin/.test(id) && language === 'fanuc-tp')?.id;
     const mover = there ?? freeCodeId(store.state.doc, 'go_lin');
     add([
-      { name: 'main', language: 'karel', text: (id) => CODE.template(id, mover) },
+      { name: 'main', language: 'karel', text: (id) => CODE.template(id, way(), mover) },
       ...(there ? [] : [{ name: mover, language: /** @type {const} */ ('fanuc-tp'), text: CODE.moverTemplate }]),
     ]);
   }
@@ -60,7 +63,11 @@ export function createFileMenu(page, { choose, chosen, refuse, rename }) {
   );
   const news = [
     { title: CODE.newKarel, detail: CODE.newKarelDetail, run: addKarel },
-    { title: CODE.newTp, detail: CODE.newTpDetail, run: one('tp_main', 'fanuc-tp', CODE.tpTemplate) },
+    {
+      title: CODE.newTp,
+      detail: CODE.newTpDetail,
+      run: one('tp_main', 'fanuc-tp', (id) => CODE.tpTemplate(id, way())),
+    },
     { title: CODE.newKrl, detail: CODE.krlDetail, run: one('krl_main', 'krl', CODE.krlTemplate) },
   ];
   const menu = withChoices(button, () => {

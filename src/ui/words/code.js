@@ -1,5 +1,9 @@
 /** Controller code: files, the editor, running it. */
 
+/** Where a new program takes the tool, and what the place is called. */
+const wayOf = { x: 'along x', y: 'along y', z: 'up' };
+const placeAt = { x: 'aside', y: 'aside', z: 'above' };
+
 export const CODE = {
   empty: 'No code yet',
   ways: {
@@ -126,26 +130,28 @@ export const CODE = {
   taskAlarm: (/** @type {string} */ task, /** @type {string} */ reason) => `Task ${task} ended: ${reason}`,
   simulated: 'Simulated; no controller has judged this',
   limits:
-    'Every motion stops at its end; joint moves of KAREL go at $SPEED / $SPEEDLIMJNT of the full rates, which is not verified; one that is cancelled, stopped, held or skipped comes to rest on its way within 0.1 s, which is not how a controller brakes. Frame 0 is on axis 1, at the height of axis 2.',
-  /** @param {string} name @param {string} mover  the TP program that it calls */
-  template: (name, mover) => `PROGRAM ${name}
--- Move the tool 50 mm up from where it is, and back:
+    'Every motion stops at its end; joint moves of KAREL go at $SPEED / $SPEEDLIMJNT of the full rates, which is not verified; one that is cancelled, stopped, held or skipped comes to rest on its way within 0.1 s, which is not how a controller brakes. Frame 0 is on axis 1, at the height of axis 2; where axis 1 slides, it is the base.',
+  /** How far and where the tool goes in a new program, mm. */
+  newWay: 50,
+  /** @param {string} name @param {'x' | 'y' | 'z'} axis  that it goes along @param {string} mover  the TP program that it calls */
+  template: (name, axis, mover) => `PROGRAM ${name}
+-- Move the tool 50 mm ${wayOf[axis]} from where it is, and back:
 -- KAREL fills PR[1], and calls a TP program to move there.
 %ENVIRONMENT REGOPE
 %NOLOCKGROUP
 VAR
-  here, above : XYZWPR
+  here, ${placeAt[axis]} : XYZWPR
   status : INTEGER
 ROUTINE ${mover} FROM ${mover}
 BEGIN
   $GROUP[1].$UFRAME = $MOR_GRP[1].$NILPOS
   $GROUP[1].$UTOOL = $MOR_GRP[1].$NILPOS
   here = CURPOS(0, 0)
-  above = here
-  above.z = here.z + 50.0
-  SET_POS_REG(1, above, status)
+  ${placeAt[axis]} = here
+  ${placeAt[axis]}.${axis} = here.${axis} + 50.0
+  SET_POS_REG(1, ${placeAt[axis]}, status)
   ${mover}
-  WRITE('up at ', above.z, CR)
+  WRITE('${wayOf[axis]} at ', ${placeAt[axis]}.${axis}, CR)
   SET_POS_REG(1, here, status)
   ${mover}
 END ${name}
@@ -164,19 +170,19 @@ DEFAULT_GROUP\t= 1,*,*,*,*;
 `,
   limitsKrl:
     'KRL is read and run here as far as this page writes it; every motion stops at its end. BASE 0 is taken to be the world.',
-  tpTemplate: (/** @type {string} */ name) => `/PROG  ${name.toUpperCase()}
+  tpTemplate: (/** @type {string} */ name, /** @type {'x' | 'y' | 'z'} */ axis) => `/PROG  ${name.toUpperCase()}
 /ATTR
-COMMENT\t\t= "up and back";
+COMMENT\t\t= "${placeAt[axis]} and back";
 LINE_COUNT\t= 9;
 DEFAULT_GROUP\t= 1,*,*,*,*;
 /MN
-   1:  !50 mm up, and back when DI[1] is ON ;
+   1:  !${`50 mm ${wayOf[axis]}, back by DI[1]`} ;
    2:  UFRAME_NUM=0 ;
    3:  UTOOL_NUM=0 ;
    4:  PR[1:here]=LPOS ;
-   5:  PR[2:above]=PR[1:here] ;
-   6:  PR[2,3]=PR[1,3]+50 ;
-   7:L PR[2:above] 100mm/sec FINE    ;
+   5:  PR[2:${placeAt[axis]}]=PR[1:here] ;
+   6:  PR[2,${'xyz'.indexOf(axis) + 1}]=PR[1,${'xyz'.indexOf(axis) + 1}]+50 ;
+   7:L PR[2:${placeAt[axis]}] 100mm/sec FINE    ;
    8:  WAIT DI[1:go back]=ON ;
    9:L PR[1:here] 100mm/sec FINE    ;
 /POS

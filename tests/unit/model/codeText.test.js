@@ -4,6 +4,7 @@ import { expect, test } from 'vitest';
 import { scan } from '../../../src/karel/scan/scanner.js';
 import { parseTp } from '../../../src/karel/tp/parser.js';
 import { linesOf } from '../../../src/karel/tp/tree.js';
+import { MAX_REMARK_LENGTH } from '../../../src/karel/write/header.js';
 import { codeArm } from '../../../src/model/code/codeArm.js';
 import { systemAtFirst } from '../../../src/model/code/codeFrames.js';
 import { formatted, whenLineEnds } from '../../../src/model/code/codeFormat.js';
@@ -12,6 +13,7 @@ import { moveOfLine, pathOf, previewOf } from '../../../src/model/code/codePrevi
 import { problemsOf } from '../../../src/model/code/codeProblems.js';
 import { createCodeRun } from '../../../src/model/code/codeRun.js';
 import { registerComments, signalsNamed, signalsOf } from '../../../src/model/code/codeSignals.js';
+import { firstWay } from '../../../src/model/code/firstWay.js';
 import { codeSet } from '../../../src/model/controller/codeSets.js';
 import { verifyCode } from '../../../src/model/controller/verifyCode.js';
 import { LIBRARY } from '../../../src/model/library.js';
@@ -58,8 +60,8 @@ test('problems of each language stand in the order of the text, at their places'
 
 test('nothing is said against what a new program begins with, and its moves are found in order', () => {
   const mover = { id: 'go_lin', language: /** @type {const} */ ('fanuc-tp'), text: CODE.moverTemplate('go_lin') };
-  const main = karel(CODE.template('main', 'go_lin'));
-  const others = [mover, tp(CODE.tpTemplate('main')), krl(CODE.krlTemplate('main'))];
+  const main = karel(CODE.template('main', 'z', 'go_lin'));
+  const others = [mover, tp(CODE.tpTemplate('main', 'z')), krl(CODE.krlTemplate('main'))];
   for (const program of [main, ...others]) expect(problemsOf([program], program)).toEqual([]);
   const doc = { ...newDocument(LIBRARY.fanuc_m10ia), programs: [main, mover] };
   const files = codeSet(doc.programs, main).map(({ file }) => file);
@@ -77,6 +79,28 @@ test('nothing is said against what a new program begins with, and its moves are 
   const never = () => false;
   expect(made.run.advance(never, 1000, () => null).effect?.kind).toBe('move');
   expect(made.run.state().arm.motion?.effect.line).toBe(9);
+});
+
+test.for(
+  /** @type {[string, string][]} */ ([
+    ['ur5', 'z'],
+    ['scara_cobra600', 'z'],
+    ['stanford', 'z'],
+    ['cart_ppp', 'z'],
+    ['mitsubishi_rv2aj', 'z'],
+    ['planar_pr', 'z'],
+    ['planar_rp', 'y'],
+    ['planar2r', 'y'],
+    ['planar3r', 'y'],
+  ]),
+)('a new program leads somewhere on a %s, and its remark has room on a pendant', ([id, axis]) => {
+  const robot = LIBRARY[id];
+  expect(firstWay(newDocument(robot), CODE.newWay)).toBe(axis);
+  const text = CODE.tpTemplate('main', /** @type {'y' | 'z'} */ (axis));
+  const { faults, moves } = previewed([tp(text)], 'main', [], robot);
+  expect(faults).toEqual([]);
+  expect(moves).toHaveLength(2);
+  expect(/!(.*) ;/.exec(text)?.[1].length).toBeLessThanOrEqual(MAX_REMARK_LENGTH);
 });
 
 test('each language completes its own words, and TP what is at hand', () => {
@@ -263,9 +287,9 @@ test('signals that programs name are listed with what they are called, by the wo
 const P = (/** @type {number} */ number, /** @type {number} */ j1) =>
   `P[${number}]{\n   GP1:\n\tUF : 0, UT : 0,\n\tJ1= ${j1} deg,\tJ2= -20 deg,\tJ3= 0 deg,\tJ4= 0 deg,\tJ5= -30 deg,\tJ6= 0 deg\n};`;
 
-/** @param {readonly ProgramDoc[]} programs @param {string} [id] @param {Parameters<typeof previewOf>[2]} [given] */
-function previewed(programs, id = programs[0].id, given = []) {
-  const doc = { ...newDocument(firstRobot), programs };
+/** @param {readonly ProgramDoc[]} programs @param {string} [id] @param {Parameters<typeof previewOf>[2]} [given] @param {typeof firstRobot} [robot] */
+function previewed(programs, id = programs[0].id, given = [], robot = firstRobot) {
+  const doc = { ...newDocument(robot), programs };
   const finding = previewOf(doc, id, given);
   for (;;) {
     const next = finding.next();

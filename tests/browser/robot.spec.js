@@ -87,6 +87,11 @@ test('the robot gets another name in place, and its source a link; the arm goes 
 }) => {
   await open(page);
   await page.locator('#fold-about').click();
+  const given = page.getByLabel('Name', { exact: true });
+  await given.fill('W'.repeat(201));
+  await given.press('Enter');
+  await expect(page.locator('p', { hasText: 'The name has at most 200 characters' })).toBeInViewport({ ratio: 1 });
+  await given.press('Escape');
   await expect(page.getByRole('link', { name: 'Open the source' })).toHaveAttribute(
     'href',
     'https://doi.org/10.1109/ROBOT.1994.351360',

@@ -22,10 +22,10 @@ const LONG = ['source', 'description'];
  */
 export function createRobotInfo(page, host) {
   const { store, addView } = page;
-  const reasons = createReasons('about-reason');
   const link = h('p', { class: 'sm' });
 
   const fields = FIELDS.map((field) => {
+    const reasons = createReasons(`about-${field}-reason`); // the last field is far from the first
     const input = LONG.includes(field)
       ? h('textarea', { rows: field === 'source' ? 3 : 2, spellcheck: 'false', 'aria-label': DETAILS.info[field] })
       : textInput({ 'aria-label': DETAILS.info[field] });
@@ -42,16 +42,15 @@ export function createRobotInfo(page, host) {
       onReason: (reason) => reasons.set(input, reason),
       onDone: () => DETAILS.set(DETAILS.info[field], text() || DETAILS.none),
     });
-    return { field, editor, element: captioned(DETAILS.info[field], input, null, 'is-text') };
+    return { field, editor, elements: [captioned(DETAILS.info[field], input, null, 'is-text'), reasons.element] };
   });
   fill(
     host,
     h(
       'div',
       { class: 'info-fields' },
-      fields.flatMap(({ field, element }) => (field === 'source' ? [element, link] : [element])),
+      fields.flatMap(({ field, elements }) => (field === 'source' ? [...elements, link] : elements)),
     ),
-    reasons.element,
   );
 
   let edition = -1;

@@ -5,7 +5,7 @@
  * @import { Span } from '../tree.js'
  * @import { KrlDatum, KrlModule, KrlStatement } from './tree.js'
  */
-import { INTERRUPTS } from './tree.js';
+import { INI_FOLD, INTERRUPTS } from './tree.js';
 
 const DEF = /^(?:GLOBAL\s+)?DEF\s+(\w+)\s*\(\s*\)$/i;
 const DEFDAT = /^DEFDAT\s+(\w+)(?:\s+PUBLIC)?$/i;
@@ -49,7 +49,7 @@ export function parseKrl(src, dat = '') {
     if (isOver) return 'nothing behind END';
     if (text.startsWith(';')) {
       const comment = text.slice(1).trim();
-      if (found.statements.length === 0 && !/^(END)?FOLD/.test(comment)) comments.push(comment);
+      if (found.statements.length === 0 && !INI_FOLD.includes(comment)) comments.push(comment);
       else found.statements.push({ kind: 'comment', text: comment, span });
       return null;
     }

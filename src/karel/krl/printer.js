@@ -3,7 +3,7 @@
  *
  * @import { KrlDatum, KrlModule, KrlStatement } from './tree.js'
  */
-import { INTERRUPTS, MAX_NAME_LENGTH } from './tree.js';
+import { INI_FOLD, INTERRUPTS, MAX_NAME_LENGTH } from './tree.js';
 
 const NAME = new RegExp(`^[A-Za-z_][A-Za-z0-9_]{0,${MAX_NAME_LENGTH - 1}}$`);
 const VARIABLE = /^\$[A-Z0-9_]+(\[\d+\])?(\.[A-Z0-9_]+)?$/;
@@ -33,7 +33,7 @@ export function printKrl({ name, comments, statements, data }) {
 
 /** @param {string} text */
 function commentText(text) {
-  if (COMMENT.test(text)) return text === '' ? ';' : `; ${text}`.replace(/^; (?=(?:END)?FOLD)/, ';');
+  if (COMMENT.test(text)) return text === '' || INI_FOLD.includes(text) ? `;${text}` : `; ${text}`;
   throw new RangeError(`Expected a comment of plain ASCII in one line, got ${JSON.stringify(text)}.`);
 }
 

@@ -42,4 +42,7 @@ export const POSITION_MEMBERS = ['X', 'Y', 'Z', 'A', 'B', 'C', 'S', 'T'];
 /** The two lines that KUKA's INI fold has before BAS; they are written, known when read, and do nothing here. */
 export const INTERRUPTS = ['GLOBAL INTERRUPT DECL 3 WHEN $STOPMESS==TRUE DO IR_STOPM ( )', 'INTERRUPT ON 3'];
 
+/** The comments around it fold in KUKA's editor. What a person called FOLD does not: a fold that is never closed hides what follows. */
+export const INI_FOLD = ['FOLD INI', 'ENDFOLD (INI)'];
+
 export const MAX_NAME_LENGTH = 24;

@@ -5,7 +5,7 @@
  * @import { NeutralMove, NeutralProgram, NeutralStep, NeutralTarget, WriteNote, WriteOptions, Written } from './neutral.js'
  */
 import { plainText } from '../plainText.js';
-import { INTERRUPTS, MAX_NAME_LENGTH } from '../krl/tree.js';
+import { INI_FOLD, INTERRUPTS, MAX_NAME_LENGTH } from '../krl/tree.js';
 import { printKrl } from '../krl/printer.js';
 import { finished, PIECE } from '../slices.js';
 import { headerLines } from './header.js';
@@ -108,10 +108,10 @@ export function* writeKrlInSlices(program, { programName = program.name } = {}) 
 
 /** As KUKA's own programs begin. @returns {KrlStatement[]} */
 const iniFold = () => [
-  { kind: 'comment', text: 'FOLD INI' },
+  { kind: 'comment', text: INI_FOLD[0] },
   ...INTERRUPTS.map((text) => /** @type {const} */ ({ kind: 'interrupt', text })),
   { kind: 'bas', what: 'INITMOV', value: 0 },
-  { kind: 'comment', text: 'ENDFOLD (INI)' },
+  { kind: 'comment', text: INI_FOLD[1] },
 ];
 
 /**

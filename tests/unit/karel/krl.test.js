@@ -87,6 +87,17 @@ test.for([
   expect(next.value).toMatchObject({ status: 'alarm', alarm: { reason: expect.stringContaining(reason) } });
 });
 
+test('only the INI fold folds: a step that a person called FOLD is a comment, in the head and among the moves', () => {
+  const named = {
+    ...MODULE,
+    comments: ['FOLD: bending', 'ENDFOLD'],
+    statements: [...MODULE.statements, { kind: /** @type {const} */ ('comment'), text: 'FOLD 1' }],
+  };
+  const { src, dat } = printKrl(named);
+  expect(src.match(/^;(END)?FOLD.*$/gm)).toEqual([';FOLD INI', ';ENDFOLD (INI)']);
+  expect(parseKrl(src, dat).tree.comments).toEqual(named.comments);
+});
+
 test('what it does not know it says, with its line; and what cannot be written is refused', () => {
   const { diagnostics, datDiagnostics } = parseKrl(
     'DEF a ( )\nSPLINE\nPTP XP1\nEND\nx\n',

@@ -34,7 +34,10 @@ const PATTERN = /\s*(?:(\d+\.?\d*(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?)|([\p{
 /** @param {string} typed @returns {{ tokens: Token[], reason: null } | { tokens: null, reason: string }} */
 export function readTokens(typed) {
   if (typed.length > LONGEST_EXPRESSION) return refuse(EXPRESSION.tooLong(LONGEST_EXPRESSION));
-  if (/\d,\d/.test(typed)) return refuse(EXPRESSION.comma(typed.replace(/(\d),(\d)/g, '$1.$2')));
+  if (/\d,\d/.test(typed)) {
+    const mended = typed.replace(/(\d),(?=\d)/g, '$1.');
+    return refuse(readTokens(mended).tokens ? EXPRESSION.comma(mended) : EXPRESSION.commas);
+  }
   const plain = PLAIN_SIGNS.reduce((text, [sign, word]) => text.replace(sign, word), typed).trim();
   /** @type {Token[]} */
   const tokens = [];

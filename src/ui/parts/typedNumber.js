@@ -11,6 +11,9 @@ import { TEXT } from '../strings.js';
 /** What a plain number is while it is being typed: a sign, a point, an exponent to come. */
 const BEGUN = /^[+\-−–]?(\d+\.?\d*|\.\d*)?([eE][+\-−–]?)?$/;
 
+/** What a plain number may be; an expression of the same text would be nothing, or no better. */
+const OUT_OF_RANGE = [TEXT.number.tooSmall, TEXT.number.tooLarge];
+
 /** @typedef {(text: string, measure: Measure) => Answer<number>} AnswerExpression */
 
 /** @typedef {(text: string, value: number, measure: Measure) => boolean} AgreesWith */
@@ -42,7 +45,7 @@ export function fetchExpressions() {
  */
 export function readTyped(text, measure) {
   const plain = readNumber(text);
-  if (plain.reason === null || text.trim() === '') return plain;
+  if (plain.reason === null || text.trim() === '' || OUT_OF_RANGE.includes(plain.reason)) return plain;
   if (expressions) return expressions.answerExpression(text, measure);
   if (BEGUN.test(text.trim())) return plain;
   if (hasFailed) {

@@ -10,6 +10,7 @@ export const EXPRESSION = {
   tooLong: (/** @type {number} */ most) => `This is longer than ${most} characters.`,
   tooDeep: 'The brackets are nested too deep.',
   comma: (/** @type {string} */ mended) => `Decimals are written with a point: ${mended}.`,
+  commas: 'A comma means nothing here: decimals are written with a point, and thousands are not set apart.',
   unknown: (/** @type {string} */ name) => `${quoted(name)} is not known here. A field takes ${KNOWN}.`,
   root: 'After √ comes a number, π or a bracket: √2, √(2 + 1).',
   brackets: 'A bracket is missing or left over.',

@@ -56,8 +56,8 @@ export const DEFINITION = {
       `Link twist: from axis z${sub(i - 1)} to axis z${sub(i)}, about x${sub(i - 1)}.`,
   },
   variable: (/** @type {number} */ i) => `This is the constant part; the joint value q${sub(i)} adds to it.`,
-  lower: 'The joint value may not go below this.',
-  upper: 'The joint value may not go above this.',
+  lower: 'The joint value may not go below this; empty: no limit.',
+  upper: 'The joint value may not go above this; empty: no limit.',
   home: 'Where the joint stands at home.',
 };
 

@@ -35,7 +35,7 @@ export const SECTION = {
     `Cells of ${cell} in which a sampled posture lands${beside && `, or up to ${beside} beside the plane`}. What is left out may be reached, too. All that this arm reaches is a surface, which this plane cuts in lines: there is no area to be measured.`,
   noneSeen: 'None of the sampled postures lands in this plane: it seems to be out of reach, which is no proof.',
   noneOwn: 'There is no answer for this arm yet. A plane may be known: choose one.',
-  empty: 'Nothing of the plane is reached.',
+  empty: 'No area of the plane is reached; lines or single places in it may be.',
   axes: {
     meridian: ['distance from the axis', 'height along it'],
     flat: ['x', 'y'],

@@ -5,6 +5,7 @@ import { DH_FIELDS, quantityOf } from '../../../src/model/document.js';
 import { convertUnits } from '../../../src/model/robot/convertUnits.js';
 import { LIBRARY, newDocument } from '../../../src/model/library.js';
 import { evaluate } from '../../../src/ui/parts/expression.js';
+import { fetchExpressions, readTyped } from '../../../src/ui/parts/typedNumber.js';
 import { answerExpression } from '../../../src/ui/parts/expressionAnswer.js';
 import { SEED, runs } from '../../helpers/property.js';
 
@@ -111,6 +112,9 @@ describe('an expression', () => {
     ['(2', 'bracket'],
     ['2)', 'bracket'],
     ['1,5*2', 'with a point: 1.5*2'],
+    ['1.000,5', 'A comma means nothing here'],
+    ['1,234,567', 'A comma means nothing here'],
+    ['atan2(1,1)', 'A comma means nothing here'],
     ['e', '“e” is not known'],
     ['0x10', '“x” is not known'],
     ['1'.repeat(200), 'longer than'],
@@ -146,6 +150,13 @@ describe('the answer of a field', () => {
     expect(ways('1O0')).toEqual([{ label: 'Use 100', text: '100' }]);
     expect(ways('12,5')).toEqual([{ label: 'Use 12.5', text: '12.5' }]);
     expect(ways('hello')).toEqual([]);
+  });
+
+  test('to a number too small to be kept is no zero, nor is one too large called none', async () => {
+    await fetchExpressions();
+    expect(readTyped('1e-400', measure).reason).toContain('smaller than any number');
+    expect(readTyped('1e10', measure).reason).toBe('The number is too large; at most 1e9.');
+    expect(readTyped('1e-5*2', measure).value).toBe(2e-5);
   });
 });
 

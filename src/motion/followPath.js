@@ -44,7 +44,7 @@ const MOST_GROWTH = 3;
 /** The postures are on the way to this: arm lengths, radians. */
 const SOLVED = 1e-10;
 
-/** An arm with too few joints for every pose, which decimals and rounding put beside those that it has, may use up this of the promise. */
+/** An arm with too few joints for every pose may use up this of the promise, where it may rest beside a pose. */
 const BESIDE = 1 / 2;
 
 /** A posture to begin with may be off the beginning by this (arm lengths, radians), which typed values are. */
@@ -65,20 +65,19 @@ const LOOK_AHEAD = [1e-3, 1e-2, 0.05];
  * @param {number} [options.turnDeviation]      rad; 0.01° if nothing is said
  * @param {number} [options.from]   only this part of the way: shares
  * @param {number} [options.to]
+ * @param {boolean} [options.isRounded]   by decimals, which put poses beside those that an arm with too few joints has: it may rest there
  * @param {Pick<PathMoment, 'first' | 'second'>} [options.heading]   by the share: what the joints do at the beginning, where the
  *   way leaves them a choice; else as little as may be
  * @returns {FollowedPath | PathRefusal}
  */
 export function followPath(chain, way, begin, options = {}) {
-  const { positionDeviation = 1e-5, turnDeviation = HUNDREDTH_DEGREE, from = 0, to = 1, heading } = options;
+  const { positionDeviation = 1e-5, turnDeviation = HUNDREDTH_DEGREE, from = 0, to = 1, isRounded, heading } = options;
   requirePosture(chain.dof, begin);
   requirePositive('positionDeviation', positionDeviation);
   requirePositive('turnDeviation', turnDeviation);
   const { dof } = chain;
-  const solver = createPathSolver(chain, way, SOLVED, {
-    place: BESIDE * positionDeviation,
-    turn: BESIDE * turnDeviation,
-  });
+  const beside = isRounded ? { place: BESIDE * positionDeviation, turn: BESIDE * turnDeviation } : undefined;
+  const solver = createPathSolver(chain, way, SOLVED, beside);
   const bound = createPathBound(chain);
   let [here, there] = [createKnot(dof), createKnot(dof)];
   const start = Float64Array.from(begin);

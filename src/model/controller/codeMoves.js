@@ -30,11 +30,13 @@ import { compose } from '../../kinematics/pose.js';
 import { configurationAt } from '../aim/solutions.js';
 import { compilePosture, postureFromKernel } from '../compile.js';
 import { toKernel } from '../units.js';
-import { followMove } from './followMoves.js';
+import { followMove, postureAlong } from './followMoves.js';
 import { fanucTurns, kukaTurns } from './fullTurns.js';
 import { postureFromPendant } from './pendantNumbers.js';
 
 const UNITS = /** @type {const} */ ({ length: 'mm', angle: 'deg' });
+/** Joints of an arm that meets whole poses. */
+const FULL = 6;
 const MOTIONS = /** @type {Readonly<Record<string, CodeMove['motion']>>} */ ({
   J: 'joint',
   L: 'linear',
@@ -46,10 +48,10 @@ const MOTIONS = /** @type {Readonly<Record<string, CodeMove['motion']>>} */ ({
  * @param {ControllerFrames} frames
  * @param {Float64Array} from   where the arm stands
  * @param {Effect} effect       of kind move
- * @param {boolean} [isRounded]  by decimals, as code that is compared with a program
+ * @param {boolean} [isCompared]  with a program: what decimals put past a limit is no fault of the code
  * @returns {CodeMove | { message: string }}
  */
-export function codeMove(doc, frames, from, effect, isRounded) {
+export function codeMove(doc, frames, from, effect, isCompared = false) {
   const { robot } = doc;
   const read = /** @type {MoveEffect} */ (/** @type {unknown} */ (effect));
   const motion = MOTIONS[read.motion];
@@ -82,14 +84,23 @@ export function codeMove(doc, frames, from, effect, isRounded) {
     : read.via
       ? { kind: 'circular', via: poseOf(read.via, read.viaIsJoint === true), ...tool }
       : { kind: 'linear', ...tool };
-  const followed = followMove(chain, from, kernel, isRounded);
+  const followed = followMove(chain, from, kernel, { isRounded: true, hasRoom: isCompared });
   if ('message' in followed) return followed;
   return {
-    ...{ line: read.line ?? 0, motion, kernel, followed, speed: read.speed, ending: read.termination },
+    ...{ line: read.line ?? 0, motion, kernel: asReached(kernel, followed) },
+    ...{ followed, speed: read.speed, ending: read.termination },
     ...{ userFrame: read.userFrame, tool: read.toolFrame, isJoint: read.isJoint },
     via: read.via ?? null,
     configuration: read.isJoint ? null : (asked?.text ?? null),
   };
+}
+
+/** An arm with few joints is beside the poses that decimals say: what it is to be planned by is where it is. @param {CodeMove['kernel']} kernel @param {FollowedMove} followed @returns {CodeMove['kernel']} */
+function asReached(kernel, { chain, path, way }) {
+  if (kernel.kind === 'joint' || chain.dof >= FULL) return kernel;
+  const at = (/** @type {number} */ share) => tcpPose(chain, postureAlong(path, share));
+  const T_base_tcp = at(1);
+  return kernel.kind === 'linear' ? { ...kernel, T_base_tcp } : { ...kernel, T_base_tcp, via: at(way?.viaShare ?? 0) };
 }
 
 /**

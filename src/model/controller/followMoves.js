@@ -26,10 +26,12 @@ const PAST = { turn: 2e-4, slide: 1e-5 };
  * @param {Chain} chain  with the move's tool
  * @param {Float64Array} from
  * @param {Exclude<Move, { kind: 'wait' }>} move
- * @param {boolean} [isRounded]  by decimals, which may put joints a little past their limits
+ * @param {object} [options]
+ * @param {boolean} [options.isRounded]  by decimals, beside the poses of an arm with few joints
+ * @param {boolean} [options.hasRoom]    a little past the limits, where decimals may put joints
  * @returns {FollowedMove | { message: string }}
  */
-export function followMove(chain, from, move, isRounded = false) {
+export function followMove(chain, from, move, { isRounded = false, hasRoom = false } = {}) {
   if (move.kind === 'joint') {
     return { chain, path: straightPath([0, 1], [from, move.posture]), end: move.posture, way: null };
   }
@@ -41,9 +43,9 @@ export function followMove(chain, from, move, isRounded = false) {
     move.kind === 'circular'
       ? arcPath(T_base_from, move.via.subarray(12, 15), T_base_tcp)
       : linePath(T_base_from, T_base_tcp);
-  const strict = followPath(chain, way, from);
-  const isAtLimit = isRounded && strict.status === 'refused' && strict.reason === 'limit';
-  const found = isAtLimit ? followPath(withRoom(chain), way, from) : strict;
+  const strict = followPath(chain, way, from, { isRounded });
+  const isAtLimit = hasRoom && strict.status === 'refused' && strict.reason === 'limit';
+  const found = isAtLimit ? followPath(withRoom(chain), way, from, { isRounded }) : strict;
   if (found.status === 'refused') return { message: REFUSED[found.reason] ?? 'the arm cannot follow this way' };
   return { chain, path: found.path, end: postureAlong(found.path, 1), way };
 }

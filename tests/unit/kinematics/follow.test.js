@@ -73,6 +73,25 @@ const thereAndBack = (steps) =>
 /** @param {readonly number[]} a @param {ArrayLike<number>} b */
 const apart = (a, b) => Math.max(...a.map((value, i) => Math.abs(value - b[i])));
 
+/**
+ * The arm is back where it was: as far as the pose tells, which next to a singularity is not to the last digits. The tool then
+ * stays where it is all the way between the two; towards another branch it would not.
+ * @param {ChainDescription} description @param {readonly number[]} q @param {ArrayLike<number>} back
+ */
+function expectBack(description, q, back) {
+  if (apart(q, back) < 1e-6) return;
+  expect(apart(q, back)).toBeLessThan(1e-4);
+  const { tcp: goal } = oracleForward(description, [...q]);
+  for (const share of [0.25, 0.5, 0.75, 1]) {
+    const { tcp } = oracleForward(
+      description,
+      q.map((value, i) => value + share * (back[i] - value)),
+    );
+    expect(distanceBetween(tcp, goal)).toBeLessThan(1.1e-9);
+    expect(angleBetween(tcp, goal)).toBeLessThan(1.1e-9);
+  }
+}
+
 describe('a tool that is pulled along', () => {
   test.each(SIX)('%s: 200 mm anywhere and back, and the posture is what it was', (name) => {
     const description = publishedArm(name);
@@ -91,7 +110,7 @@ describe('a tool that is pulled along', () => {
       const answers = drag(description, q, goals);
       if (answers.some(({ status }) => status !== 'there')) continue; // something was in the way: another test
       returned++;
-      expect(apart(q, answers[answers.length - 1].q)).toBeLessThan(1e-6);
+      expectBack(description, q, answers[answers.length - 1].q);
     }
     expect(returned).toBeGreaterThan(0);
   });

@@ -2,6 +2,7 @@
  * How much room a move of code leaves: to the joints' limits, to singular postures, to the joints' rates; and what its decimals
  * cost.
  *
+ * @import { Chain } from '../../kinematics/chain.js'
  * @import { Doc } from '../document.js'
  * @import { CodeMove } from './codeMoves.js'
  *
@@ -67,9 +68,7 @@ function durationOf(way, { value, unit }) {
 export function roundingOf({ robot }, { followed: { chain, end, path }, isJoint }) {
   const here = ROUNDING + SINGLE * 10 ** 4;
   if (!isJoint) {
-    // how the tool of an arm with fewer joints is turned follows from its place and from what of the turn is met
-    const lean = chain.dof < FULL ? dexterity(chain, end).conditionNumber : 1;
-    return { millimetres: Math.sqrt(3) * here, degrees: 3 * here * lean };
+    return { millimetres: Math.sqrt(3) * here, degrees: chain.dof < FULL ? leaning(chain, end, 3 * here) : 3 * here };
   }
   // A joint that is off by so much takes the tool with it: the sum of all, at either end of the way.
   const both = [pathMomentAt(path, 0).posture, end].map((q) => {
@@ -89,6 +88,18 @@ export function roundingOf({ robot }, { followed: { chain, end, path }, isJoint 
     millimetres: Math.max(...both.map(({ millimetres }) => millimetres)),
     degrees: Math.max(...both.map(({ degrees }) => degrees)),
   };
+}
+
+/**
+ * How far the tool of an arm with fewer joints is turned by what its pose is off: it follows from the place and from what of the
+ * turn is met. Next to a singular posture joints go with the root of what the pose is off, no farther (e = δ²/2).
+ * @param {Chain} chain
+ * @param {Float64Array} q
+ * @param {number} degrees  off
+ */
+function leaning(chain, q, degrees) {
+  const off = toKernel('angle', degrees, UNITS);
+  return fromKernel('angle', Math.min(off * dexterity(chain, q).conditionNumber, Math.sqrt(2 * off)), UNITS);
 }
 
 /** Of a point on an arc, m: so little that the arc changes in proportion. */

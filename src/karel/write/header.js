@@ -54,7 +54,9 @@ export function headerLines(program, { does, world, notes, axis = 'J' }) {
       `Joint values, ${named(axisUnits(slides))}, as the teach pendant shows them${convention.length ? ':' : '.'}`,
     ),
     ...convention.flatMap((line) => wrapped(plainText(named(line)), WIDTH - 2).map((text) => `  ${text}`)),
-    ...paragraph(`All are rounded to 3 decimals, by at most ${ROUNDING}.`),
+    ...paragraph(
+      `All are rounded to 3 decimals, by at most ${ROUNDING}; joint values at a limit or next to a singular posture by one of the last decimal more, to stay on their side of it.`,
+    ),
     ...(notes.length > 0 ? ['', ...notes.flatMap(({ message }) => paragraph(`Note: ${message}`))] : []),
     ...(check.length > 0 ? ['', ...check] : []),
   ];

@@ -5,6 +5,7 @@
  * @import { Chain } from '../../kinematics/chain.js'
  * @import { PosturePath } from '../../motion/posturePath.js'
  * @import { Move } from '../../motion/moves.js'
+ * @import { PathRefusal } from '../../motion/followPath.js'
  *
  * @typedef {object} FollowedMove
  * @property {Chain} chain           with the move's tool
@@ -46,7 +47,7 @@ export function followMove(chain, from, move, { isRounded = false, hasRoom = fal
   const strict = followPath(chain, way, from, { isRounded });
   const isAtLimit = hasRoom && strict.status === 'refused' && strict.reason === 'limit';
   const found = isAtLimit ? followPath(withRoom(chain), way, from, { isRounded }) : strict;
-  if (found.status === 'refused') return { message: REFUSED[found.reason] ?? 'the arm cannot follow this way' };
+  if (found.status === 'refused') return { message: whyRefused(found) };
   return { chain, path: found.path, end: postureAlong(found.path, 1), way };
 }
 
@@ -67,6 +68,16 @@ function withRoom(chain) {
 
 /** The posture at a share of a way. @param {PosturePath} path @param {number} share */
 export const postureAlong = (path, share) => pathMomentAt(path, share).posture.slice();
+
+/** Shares of the way so short that the arm is where it began. */
+const AT_ONCE = 1e-5;
+
+/** @param {PathRefusal} refused */
+function whyRefused({ reason, share }) {
+  if (reason === 'singularity' && share < AT_ONCE)
+    return 'it stands in a singular posture, from which it cannot go this way';
+  return REFUSED[reason] ?? 'the arm cannot follow this way';
+}
 
 const REFUSED = /** @type {Readonly<Record<string, string>>} */ ({
   limit: 'a joint would have to go past its limit on the way',

@@ -19,23 +19,23 @@ const STEP = 10 ** -DECIMALS;
  */
 export function valuesInside(robot, posture) {
   const values = pendantValues(robot, posture);
-  const isOutside = posture.map((value, i) => sideOf(robot, i, value) !== 0);
+  const isOutside = posture.map((value, i) => sideOfLimits(robot, i, value) !== 0);
   // a joint that is coupled to one that was changed is looked at again
   for (let turn = 0; turn < 2 * values.length; turn++) {
     const there = postureFromPendant(
       robot,
       values.map((value) => Math.fround(rounded(value))),
     );
-    const past = there.findIndex((value, i) => !isOutside[i] && sideOf(robot, i, value) !== 0);
+    const past = there.findIndex((value, i) => !isOutside[i] && sideOfLimits(robot, i, value) !== 0);
     if (past < 0) break;
-    const back = -sideOf(robot, past, there[past]) * robot.joints[past].controller.sign;
+    const back = -sideOfLimits(robot, past, there[past]) * robot.joints[past].controller.sign;
     values[past] = rounded(rounded(values[past]) + back * STEP);
   }
   return values;
 }
 
 /** 1: above its upper limit; −1: below its lower. @param {RobotDoc} robot @param {number} index @param {number} value */
-function sideOf({ joints }, index, value) {
+export function sideOfLimits({ joints }, index, value) {
   const { lower, upper } = limitsOf(joints[index]);
   return value > upper ? 1 : value < lower ? -1 : 0;
 }

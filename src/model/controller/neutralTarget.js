@@ -17,8 +17,9 @@ import { tcpPose } from '../../kinematics/forward.js';
 import { rollPitchYawOf } from '../../kinematics/orientation.js';
 import { compose, poseDifference } from '../../kinematics/pose.js';
 import { configurationAt } from '../aim/solutions.js';
-import { postureFromKernel } from '../compile.js';
+import { compilePosture, postureFromKernel } from '../compile.js';
 import { fromKernel } from '../units.js';
+import { valuesBeside } from './besideSingular.js';
 import { postureAlong } from './followMoves.js';
 import { fanucTurns, haveSameTurns, kukaTurns } from './fullTurns.js';
 import { valuesInside } from './insideLimits.js';
@@ -66,7 +67,7 @@ export const controllerPosition = (T) => [
 export function targetAt({ robot, chain, T_user_world, brand }, q, T_world_tcp, { taught, isByJoints }) {
   const position = controllerPosition(compose(T_user_world, T_world_tcp));
   const posture = taught ?? postureFromKernel(robot, q);
-  const joints = valuesInside(robot, [...posture]);
+  const joints = valuesBeside(robot, chain, compilePosture(robot, posture), valuesInside(robot, [...posture]));
   const { fanuc, kuka } = configurationAt(robot, chain, posture);
   const isSingular = isByJoints && 1 / dexterity(chain, q).conditionNumber < SINGULAR;
   if (isSingular && !taught && fanuc.text !== null)

@@ -4,45 +4,50 @@
  */
 import { counted, coupled, robot, turn } from './rows.js';
 
-/** Degrees: in these tables the flange is turned by this about its axis, against $FLANGE of the controller; counting axis 6 with it has positions and axis values agree. */
-const FLANGE = 180;
+/**
+ * Axis 6 of KUKA arms goes from −350° to 350°. In these tables the flange is turned by half a turn about it against $FLANGE of the
+ * controller; counting axis 6 with that has positions and axis values agree, and the joint's limits are half a turn off.
+ * @param {number} d @param {number} alpha @param {1 | -1} sign
+ */
+const kukaFlange = (d, alpha, sign) =>
+  counted(sign > 0 ? turn(0, d, 0, alpha, -530, 170, 0) : turn(0, d, 0, alpha, -170, 530, 0), sign, 180);
 
 /** @type {Record<string, RobotDoc>} */
 export const INDUSTRIAL = {
   kuka_kr5_arc: robot(
     'KUKA KR 5 arc',
-    'ARTE (KUKA KR5 arc), as Robotics Toolbox for Python 1.5.0 with its limits; axes counted as of https://github.com/ros-industrial/kuka_experimental @e78bbd1, kr5_arc_macro.xacro',
+    'ARTE (KUKA KR5 arc), as Robotics Toolbox for Python 1.5.0 with its limits; axes counted as https://github.com/ros-industrial/kuka_experimental @e78bbd1, kr5_arc_macro.xacro; limits put on A3 and A6',
     [
       counted(turn(0, 400, 180, -90, -155, 155, 0), -1),
       turn(0, 0, 600, 0, -180, 65, -95),
-      counted(turn(0, 0, 120, 90, -15, 158, 35), 1, 90),
+      counted(turn(0, 0, 120, 90, -105, 68, 35), 1, 90),
       turn(0, -620, 0, -90, -350, 350, 0),
       turn(0, 0, 0, 90, -130, 130, 60),
-      counted(turn(0, -115, 0, 180, -350, 350, 0), 1, FLANGE),
+      kukaFlange(-115, 180, 1),
     ],
   ),
   kuka_kr6_r900: robot(
     'KUKA KR 6 R900 sixx',
-    'Derived from https://github.com/ros-industrial/kuka_experimental @e78bbd1, kr6r900sixx_macro.xacro; axes counted as there, where A1 turns the other way than joint 1',
+    'Derived from https://github.com/ros-industrial/kuka_experimental @e78bbd1, kr6r900sixx_macro.xacro; axes counted as there, where A1 turns the other way than joint 1; limits of joint 6 put on A6',
     [
       counted(turn(0, 400, 25, -90, -170, 170, 0), -1),
       turn(0, 0, 455, 0, -190, 45, -80),
       turn(-90, 0, 35, 90, -120, 156, 110),
       turn(0, -420, 0, -90, -185, 185, 0),
       turn(0, 0, 0, 90, -120, 120, 60),
-      counted(turn(0, -80, 0, 180, -350, 350, 0), 1, FLANGE),
+      kukaFlange(-80, 180, 1),
     ],
   ),
   kuka_kr210_l150: robot(
     'KUKA KR 210 L150',
-    'Lengths rounded to mm, and limits, from https://github.com/ros-industrial/kuka_experimental @e78bbd1, kr210l150_macro.xacro; axes counted as of the KR 6',
+    'Lengths rounded to mm, and limits, from https://github.com/ros-industrial/kuka_experimental @e78bbd1, kr210l150_macro.xacro; axes counted as of the KR 6; limits of joint 6 put on A6',
     [
       counted(turn(0, 750, 350, -90, -185, 185, 0), -1),
       counted(turn(-90, 0, 1250, 0, -45, 85, 10), 1, -90),
       counted(turn(0, 0, -55, -90, -210, 65, 20), 1, 90),
       counted(turn(0, 1500, 0, 90, -350, 350, 0), -1),
       turn(0, 0, 0, -90, -125, 125, 60),
-      counted(turn(0, 230, 0, 0, -350, 350, 0), -1, FLANGE),
+      kukaFlange(230, 0, -1),
     ],
   ),
   fanuc_lrmate200id: robot(

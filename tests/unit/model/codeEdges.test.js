@@ -126,6 +126,44 @@ test.for(
   }
 });
 
+test.for(
+  /** @type {[string, number[], number][]} */ ([
+    ['kuka_kr5_arc', [10, -80, 20, 30, 0, 40], 4],
+    ['abb_irb120', [10, 20, 10, 30, 0, 15], 4],
+    ['fanuc_m10ia', [10, 20, -5, 30, 0, 15], 4],
+    ['planar2r', [20, 0], 1],
+  ]),
+)('%s next to a singular posture: decimals do not put it there, nor to the other side', ([arm, q, bent]) => {
+  const robot = LIBRARY[arm];
+  const { sign } = robot.joints[bent].controller;
+  const target = (/** @type {number} */ value) => ({
+    kind: /** @type {const} */ ('posture'),
+    values: q.with(bent, value),
+  });
+  for (const value of [1e-5, 4e-4, 9e-4, -1e-5, -4e-4, -9e-4, 0]) {
+    for (const { files, checked, matches } of verified(robot, [{ ...byJoints, target: target(value) }])) {
+      expect(matches).toBe(true);
+      expect(checked[0].margins.singularity === 0).toBe(value === 0);
+      const [{ position }] = runCode(files).effects;
+      const written = /** @type {number[]} */ (position)[bent];
+      expect(Math.sign(written) + 0).toBe(sign * Math.sign(value) + 0);
+      expect(Math.abs(written - sign * value)).toBeLessThan(1e-3);
+    }
+  }
+});
+
+test('a line begins next to a singular posture in code as in the program', () => {
+  const robot = LIBRARY.kuka_kr5_arc;
+  const from = [-60, -155, -15, -60, 1e-4, -60];
+  const moves = [
+    { ...byJoints, target: { kind: /** @type {const} */ ('posture'), values: from } },
+    { kind: /** @type {const} */ ('linear'), ...byTool, target: poseAt(robot, [-68, -163, -15, -68, 8, -68]) },
+  ];
+  for (const { errors } of verified(robot, moves)) expect(errors).toEqual([]);
+  const into = [{ ...moves[0], target: { kind: /** @type {const} */ ('posture'), values: from.with(4, 0) } }, moves[1]];
+  expect(() => verified(robot, into)).toThrow('it stands in a singular posture, from which it cannot go this way');
+});
+
 test('a slide that is too slow for a speed would have to slide, a joint to turn', () => {
   const quick = { ...byTool, speed: 1900 };
   for (const [arm, from, to, word] of /** @type {[string, number[], number[], string][]} */ ([

@@ -1,6 +1,8 @@
 /** What of a document is written, with which options, what is against it, and what its header and certificate say. */
 import fc from 'fast-check';
 import { expect, test } from 'vitest';
+import { dexterity } from '../../../src/kinematics/dexterity.js';
+import { compilePosture, compileRobot } from '../../../src/model/compile.js';
 import { atOnce } from '../../../src/model/inSlices.js';
 import { certificateStatus } from '../../../src/model/controller/certificate.js';
 import { readFrameNumber, readOption } from '../../../src/model/controller/codeOptions.js';
@@ -200,7 +202,18 @@ test('corners by a distance: what MOVE and PTP have no word for is said', () => 
   expect(said('krl')).toContain('C_PTP C_DIS');
 });
 
-test('postures of any arm come out as they went in, to half a thousandth', () => {
+/** @param {RobotDoc} robot @param {readonly number[]} pendant */
+function isSingularInDecimals(robot, pendant) {
+  const near = pendant.map((value) => Number(value.toFixed(3)));
+  const q = robot.joints.map(
+    ({ controller: { coupledTo, sign, offset } }, j) =>
+      sign * (near[j] + (coupledTo === 'joint_2' ? near[1] : 0) - offset),
+  );
+  const { rank, freedoms } = dexterity(compileRobot(robot), compilePosture(robot, q));
+  return rank < freedoms;
+}
+
+test('postures of any arm come out as they went in, to half a thousandth; where that would be a singular one, to a thousandth', () => {
   const anyCase = fc.constantFrom(...Object.values(LIBRARY)).chain((robot) => {
     const value = fc.double({ min: -720, max: 720, noNaN: true });
     const q = fc.array(value, { minLength: robot.joints.length, maxLength: robot.joints.length });
@@ -210,15 +223,17 @@ test('postures of any arm come out as they went in, to half a thousandth', () =>
     fc.property(anyCase, ({ robot, values }) => {
       const read = jointValues(writtenOf(recorded(robot, ...values)));
       expect(read).toHaveLength(values.length);
-      read.forEach((written, i) =>
-        written.forEach((value, j) => {
-          // where the controller counts J3 from the horizontal, J2 is not in its number; KUKA counts from elsewhere
-          const { coupledTo, sign, offset } = robot.joints[j].controller;
+      read.forEach((written, i) => {
+        // where the controller counts J3 from the horizontal, J2 is not in its number; KUKA counts from elsewhere
+        const expected = robot.joints.map(({ controller: { coupledTo, sign, offset } }, j) => {
           const own = sign * values[i][j] + offset;
-          const expected = coupledTo === 'joint_2' ? own - values[i][1] : own;
-          expect(Math.abs(value - expected)).toBeLessThanOrEqual(0.0005 + 1e-9);
-        }),
-      );
+          return coupledTo === 'joint_2' ? own - values[i][1] : own;
+        });
+        const off = written.map((value, j) => Math.abs(value - expected[j])).sort((a, b) => a - b);
+        const most = off.pop();
+        expect(off.pop()).toBeLessThanOrEqual(0.0005 + 1e-9);
+        expect(most).toBeLessThanOrEqual(isSingularInDecimals(robot, expected) ? 0.001 : 0.0005 + 1e-9);
+      });
     }),
     { seed: SEED, numRuns: runs(30) },
   );

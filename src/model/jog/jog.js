@@ -30,6 +30,7 @@ import { geometricJacobian } from '../../kinematics/jacobian.js';
 import { poseFromAxisAngle } from '../../kinematics/orientations/axisAngle.js';
 import { compose } from '../../kinematics/pose.js';
 import { limitsOf } from '../document.js';
+import { LARGEST_NUMBER } from '../documentRules.js';
 
 /** The way is taken in pieces so long at most: metres, radians. */
 const PIECE = { way: 0.01, turn: 0.05 };
@@ -223,7 +224,7 @@ function firstOutside({ packed: { lower, upper } }, q) {
 }
 
 /**
- * One joint by so much, in the document's units, as far as its limits.
+ * One joint by so much, in the document's units, as far as its limits, and no farther than numbers are kept.
  * @param {JointDoc} joint
  * @param {number} value
  * @param {number} amount
@@ -232,13 +233,14 @@ function firstOutside({ packed: { lower, upper } }, q) {
  */
 export function jogJoint(joint, value, amount, keepsLimits) {
   const { lower, upper } = limitsOf(joint);
-  const wanted = Number((value + amount).toPrecision(14));
-  if (!keepsLimits) return { value: wanted, isStopped: false };
+  const asked = Number((value + amount).toPrecision(14));
+  const wanted = Math.min(LARGEST_NUMBER, Math.max(-LARGEST_NUMBER, asked));
+  if (!keepsLimits) return { value: wanted, isStopped: wanted !== asked };
   // One that stands outside may come back, and goes no further out.
   const least = Math.min(lower, value);
   const most = Math.max(upper, value);
   const held = Math.min(most, Math.max(least, wanted));
-  return { value: held, isStopped: held !== wanted };
+  return { value: held, isStopped: held !== asked };
 }
 
 /** The arm as if it had no limits, for those who have said that they are not to be kept. @param {RobotDoc} robot @returns {RobotDoc} */

@@ -223,4 +223,7 @@ test('one joint goes by so much, as far as its limits', () => {
   expect(jogJoint(joint, 8, 5, false)).toEqual({ value: 13, isStopped: false });
   expect(jogJoint(joint, 14, -1, true)).toEqual({ value: 13, isStopped: false });
   expect(jogJoint(joint, 14, 1, true)).toEqual({ value: 14, isStopped: true });
+  const endless = { ...joint, type: /** @type {const} */ ('continuous') };
+  expect(jogJoint(endless, 1e9 - 1, 5, true)).toEqual({ value: 1e9, isStopped: true });
+  expect(jogJoint(joint, -1e9, -5, false)).toEqual({ value: -1e9, isStopped: true });
 });

@@ -32,6 +32,9 @@ const FULL = 6;
 /** REAL and the controller's own numbers have 24 bits: of a metre in mm, so much at most. */
 const SINGLE = 2 ** -24;
 
+/** A number of code is off by so much at most: mm, degrees. */
+export const DECIMALS_COST = ROUNDING + SINGLE * 10 ** 4;
+
 /** @param {Doc} doc @param {CodeMove} move @returns {MoveMargins} */
 export function moveMargins({ robot }, { followed, speed, motion }) {
   const { chain, path, way } = followed;
@@ -66,28 +69,45 @@ function durationOf(way, { value, unit }) {
 
 /** @param {Doc} doc @param {CodeMove} move @returns {Deviation} */
 export function roundingOf({ robot }, { followed: { chain, end, path }, isJoint }) {
-  const here = ROUNDING + SINGLE * 10 ** 4;
   if (!isJoint) {
-    return { millimetres: Math.sqrt(3) * here, degrees: chain.dof < FULL ? leaning(chain, end, 3 * here) : 3 * here };
+    const turned = 3 * DECIMALS_COST;
+    return {
+      millimetres: Math.sqrt(3) * DECIMALS_COST,
+      degrees: chain.dof < FULL ? leaning(chain, end, turned) : turned,
+    };
   }
   // A joint that is off by so much takes the tool with it: the sum of all, at either end of the way.
-  const both = [pathMomentAt(path, 0).posture, end].map((q) => {
-    const J = geometricJacobian(chain, q);
-    let [metres, radians] = [0, 0];
-    for (const [i, { type, lower, upper }] of chain.joints.entries()) {
-      const quantity = type === 'prismatic' ? 'length' : 'angle';
-      // at a limit it is rounded to the inside (insideLimits.js)
-      const isAtLimit = Math.min(q[i] - lower, upper - q[i]) <= toKernel(quantity, 4 * ROUNDING, UNITS);
-      const off = toKernel(quantity, isAtLimit ? here + ROUNDING : here, UNITS) * (1 + coupledShare(robot, i));
-      metres += off * Math.hypot(J[6 * i], J[6 * i + 1], J[6 * i + 2]);
-      radians += off * Math.hypot(J[6 * i + 3], J[6 * i + 4], J[6 * i + 5]);
-    }
-    return { millimetres: fromKernel('length', metres, UNITS), degrees: fromKernel('angle', radians, UNITS) };
-  });
+  const both = [pathMomentAt(path, 0).posture, end].map((q) => takenAlong(chain, q, jointsOff(robot, chain, q)));
   return {
     millimetres: Math.max(...both.map(({ millimetres }) => millimetres)),
     degrees: Math.max(...both.map(({ degrees }) => degrees)),
   };
+}
+
+/**
+ * What each joint of a posture that is given by joint values may be off by: rad, m.
+ * @param {Doc['robot']} robot
+ * @param {Chain} chain
+ * @param {Float64Array} q
+ */
+export const jointsOff = (robot, { joints }, q) =>
+  joints.map(({ type, lower, upper }, i) => {
+    const quantity = type === 'prismatic' ? 'length' : 'angle';
+    // at a limit it is rounded to the inside (insideLimits.js)
+    const isAtLimit = Math.min(q[i] - lower, upper - q[i]) <= toKernel(quantity, 4 * ROUNDING, UNITS);
+    const off = isAtLimit ? DECIMALS_COST + ROUNDING : DECIMALS_COST;
+    return toKernel(quantity, off, UNITS) * (1 + coupledShare(robot, i));
+  });
+
+/** How far the tool goes where the joints are off by so much. @param {Chain} chain @param {Float64Array} q @param {readonly number[]} off @returns {Deviation} */
+export function takenAlong(chain, q, off) {
+  const J = geometricJacobian(chain, q);
+  let [metres, radians] = [0, 0];
+  for (const [i, share] of off.entries()) {
+    metres += share * Math.hypot(J[6 * i], J[6 * i + 1], J[6 * i + 2]);
+    radians += share * Math.hypot(J[6 * i + 3], J[6 * i + 4], J[6 * i + 5]);
+  }
+  return { millimetres: fromKernel('length', metres, UNITS), degrees: fromKernel('angle', radians, UNITS) };
 }
 
 /**

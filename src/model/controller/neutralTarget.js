@@ -26,8 +26,8 @@ import { valuesInside } from './insideLimits.js';
 
 const CONTROLLER_UNITS = /** @type {const} */ ({ length: 'mm', angle: 'deg' });
 
-/** One over the condition number, below which the decimals of a position leave open where the axes are that it depends on. */
-const SINGULAR = 1e-3;
+/** One over the condition number, below which the decimals of a position cost the way to it more than those of joint values (roundingAlong.js). */
+const SINGULAR = 0.02;
 
 /** Degrees: an axis nearer than this to where its turn gets another number may be on either side of it, by the decimals of a position. */
 const BORDER = 0.05;
@@ -36,7 +36,7 @@ const FANUC_TURN_AXES = [0, 3, 5];
 const REASONS = {
   turns: 'an axis is turned so far there that its configuration does not tell by how much',
   border: 'an axis is there where its turn gets another number, and decimals leave open on which side',
-  singular: 'the posture there is singular, and its configuration does not tell it from others',
+  singular: 'the posture there is singular, or so nearly that the decimals of a position leave its joints open',
   'not-six-axes': 'configurations are for arms with six axes',
   prismatic: 'configurations are for arms whose axes all turn',
   'no-spherical-wrist': 'configurations are for arms whose last three axes meet',

@@ -37,6 +37,7 @@ import { pendantValues } from './controllerValues.js';
 import { effectMoves } from './effectMoves.js';
 import { controllerFrames } from './frameNumbers.js';
 import { moveMargins, roundingOf, roundingOfArc } from './moveMargins.js';
+import { roundingAlong } from './roundingAlong.js';
 import { runMoves } from './runCode.js';
 
 /** Condition numbers past this are near a singularity: one over it. */
@@ -74,6 +75,8 @@ export function* verifyInSlices(doc, made, files, start = doc.posture, given = [
   let /** @type {Float64Array} */ from = compilePosture(doc.robot, start);
   let isSame = true;
   let roundingBefore = { millimetres: 0, degrees: 0 };
+  /** @type {CodeMove | null} */
+  let doneBefore = null;
   /** Frames that were said to be missing. @type {Set<string>} */
   const told = new Set();
   /** @type {string | null} */
@@ -111,12 +114,15 @@ export function* verifyInSlices(doc, made, files, start = doc.posture, given = [
       from = done.followed.end;
       const margins = moveMargins(doc, done);
       const own = roundingOf(doc, done);
+      const along = roundingAlong(doc, doneBefore, done);
       // It begins where the decimals of the one before have put the arm.
       const rounding = {
-        millimetres: Math.max(roundingOfArc(done, roundingBefore, own).millimetres, roundingBefore.millimetres),
-        degrees: Math.max(own.degrees, roundingBefore.degrees),
+        millimetres: Math.max(
+          ...[roundingOfArc(done, roundingBefore, own).millimetres, roundingBefore.millimetres, along.millimetres],
+        ),
+        degrees: Math.max(own.degrees, roundingBefore.degrees, along.degrees),
       };
-      roundingBefore = own;
+      [roundingBefore, doneBefore] = [own, done];
       const { step, deviation, against, limited } = made
         ? compared(done, wanted, rounding, language)
         : { step: -1, deviation: null, against: [], limited: [] };

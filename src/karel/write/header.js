@@ -14,8 +14,13 @@ export const MAX_REMARK_LENGTH = 32;
 const MAX_COMMENT_LENGTH = 16;
 
 /** @param {Pick<NeutralProgram, 'name' | 'robotName'>} program */
-export const titleOf = ({ name, robotName }) =>
-  `${plainText(robotName, LONGEST_NAME) || 'Robot'}: ${plainText(name, LONGEST_NAME) || 'program'}`;
+export const titleOf = ({ name, robotName }) => `${nameOr(robotName, 'Robot')}: ${nameOr(name, 'program')}`;
+
+/** A name, as far as controllers can show it; of one in another script nothing may be left. @param {string} text @param {string} otherwise */
+function nameOr(text, otherwise) {
+  const plain = plainText(text, LONGEST_NAME);
+  return /[A-Za-z0-9]/.test(plain) ? plain : otherwise;
+}
 
 /** What FANUC's user frame 0 is. @param {Pick<NeutralProgram, 'zero'>} program */
 export const zeroOf = ({ zero = 'the world of the controller, on axis 1 at the height of axis 2' }) => zero;

@@ -2,6 +2,7 @@ import fc from 'fast-check';
 import { expect, test } from 'vitest';
 import { fanucNames } from '../../../src/karel/fanucNames.js';
 import { plainText, wrapped } from '../../../src/karel/plainText.js';
+import { titleOf } from '../../../src/karel/write/header.js';
 import { runs, SEED } from '../../helpers/property.js';
 
 test.for([
@@ -16,6 +17,14 @@ test.for([
   ['\ud800', ''],
   ['', ''],
 ])('%j becomes %j', ([text, plain]) => expect(plainText(text)).toBe(plain));
+
+test.for([
+  ['Puma 560', 'Größe', 'Puma 560: Grosse'],
+  ['ロボット', '移動', 'Robot: program'],
+  ['ロボット 2', '', '? 2: program'],
+])('robot %j and program %j are %j in a header', ([robotName, name, title]) =>
+  expect(titleOf({ robotName, name })).toBe(title),
+);
 
 test('any text becomes one line of printable ASCII, no longer than asked', () => {
   fc.assert(

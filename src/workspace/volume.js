@@ -29,6 +29,7 @@
  */
 import { allInverseKinematics } from '../kinematics/allInverse.js';
 import { along, dot, minus } from '../kinematics/lines.js';
+import { freedomsOf } from '../kinematics/measures/homogeneous.js';
 import { createRandom } from '../kinematics/random.js';
 import { createPlaceSolver } from './exactPlaces.js';
 import { FACINGS, facingOf, shareOfFacings } from './facings.js';
@@ -66,18 +67,18 @@ const MIDDLES = { asked: 300, passed: 40_000 };
 export function* mapVolume(chain, options = {}) {
   const { withLimits = true, seed = 1, wanted = { kind: 'any' }, looks = LOOKS_EACH } = options;
   const sampler = createSampler(chain, { withLimits, seed });
-  const joints = sampler.ranges.joints.length;
+  const arm = { joints: sampler.ranges.joints.length, freedoms: freedomsOf(chain).linear };
   const first = new Float32Array(3 * FIRST_PLACES);
   sampler.fill(0, first);
   const extent = extentOf(first);
   const longest = Math.max(...extent.high.map((value, i) => value - extent.low[i]), 1e-6);
   const size = options.cell ?? longest / 100;
 
-  const coarse = emptyVoxels(extent, Math.max(COARSE * size, longest / FIRST_ACROSS), joints);
+  const coarse = emptyVoxels(extent, Math.max(COARSE * size, longest / FIRST_ACROSS), arm);
   markPlaces(coarse, first);
   yield { stage: 'places', share: 0, voxels: atOnce(measuring(coarse)) };
 
-  const voxels = emptyVoxels(extent, size, joints);
+  const voxels = emptyVoxels(extent, size, arm);
   const places = new Float32Array(3 * SLICE);
   const many = Math.max(FIRST_PLACES, PLACES_EACH * voxels.reached.length);
   for (let done = 0; done < many; done += SLICE) {
@@ -94,7 +95,7 @@ export function* mapVolume(chain, options = {}) {
   // a planar arm never leaves its plane, so it is asked where the middles' feet are
   const placement = createPlacement(chain, withLimits);
   const flat = flatNormal(placement);
-  if (solve && joints === (flat ? 2 : 3)) {
+  if (solve && arm.joints === (flat ? 2 : 3)) {
     const { place } = placement;
     /** @param {Vector} middle */
     const asked = (middle) => (flat ? along(middle, -dot(minus(middle, place), flat), flat) : middle);

@@ -11,6 +11,7 @@
  * @property {Float32Array} directions
  * @property {Uint8Array | null} postures       null where there are infinitely many
  * @property {number} joints       how many move the TCP
+ * @property {number} freedoms     in how many directions they move it in general: 3 makes a volume, 2 a surface, 1 a curve
  * @property {boolean} isMiddle    a cube is reached if its middle is; else if a posture landed in it
  * @property {number} volume       m³; where postures landed, cubes at the edge count half
  * @property {number} volumeError  m³: half of the cubes at the edge
@@ -39,8 +40,8 @@ export function extentOf(places) {
   return { low, high };
 }
 
-/** @param {{ low: number[], high: number[] }} extent @param {number} wanted @param {number} joints @returns {Voxels} */
-export function emptyVoxels({ low, high }, wanted, joints) {
+/** @param {{ low: number[], high: number[] }} extent @param {number} wanted @param {Pick<Voxels, 'joints' | 'freedoms'>} arm @returns {Voxels} */
+export function emptyVoxels({ low, high }, wanted, { joints, freedoms }) {
   // places seen so far leave some room: a few in a hundred all around
   const widths = low.map((value, i) => 1.06 * (high[i] - value));
   const most = (/** @type {number} */ side) => widths.reduce((product, width) => product * (width / side + 2), 1);
@@ -66,6 +67,7 @@ export function emptyVoxels({ low, high }, wanted, joints) {
     directions: new Float32Array(cubes),
     postures: null,
     joints,
+    freedoms,
     isMiddle: false,
     volume: 0,
     volumeError: 0,

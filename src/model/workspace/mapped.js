@@ -12,6 +12,7 @@
  * @property {Float32Array} directions
  * @property {Uint8Array | null} postures       null where there are infinitely many
  * @property {number} joints       how many move the tool point
+ * @property {number} freedoms     in how many directions they move it in general: 3 makes a volume, 2 a surface, 1 a curve
  * @property {boolean} isMiddle    proven: a cube is reached if its middle is
  * @property {number} volume
  * @property {number} volumeError

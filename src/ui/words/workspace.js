@@ -84,6 +84,7 @@ export const WORKSPACE = {
       area: 'Area',
       cubes: 'Cubes',
       points: 'Points',
+      none: 'none',
     },
     range: (/** @type {string} */ from, /** @type {string} */ to) => `${from} to ${to}`,
     cubesIn: (/** @type {string} */ count, /** @type {string} */ edge) => `${count} of ${edge}`,
@@ -112,6 +113,11 @@ export const WORKSPACE = {
     estimatedFew:
       'An estimate: a cube is counted if a posture was seen to land in it. Cubes at the edge are reached in part and count half.',
     flat: 'All places lie in one plane, so there is an area instead of a volume. The section knows it better.',
+    noSize: { 1: 'A curve', 2: 'A surface' },
+    thin: {
+      1: 'What is reached is a curve: it has a length, and neither area nor volume.',
+      2: 'What is reached is a surface: it has no volume. Cubes that it passes are drawn.',
+    },
     size: (/** @type {string} */ value) => `The volume that is reached is ${value}.`,
     sizeFlat: (/** @type {string} */ value) => `The region that is reached is flat; its area is ${value}.`,
     extent: (/** @type {string[]} */ ranges) => `It extends over ${ranges.join(', ')}.`,

@@ -19,24 +19,28 @@ const WORDS = WORKSPACE.volume;
 export function sizeOf({ cubes, summary }) {
   if (!cubes || !summary) return null;
   const { layer, low, high, count } = summary;
-  const text = layer
-    ? measureText('area', layer.area, layer.areaError)
-    : measureText('volume', cubes.volume, cubes.volumeError);
+  const [value, error] = layer ? [layer.area, layer.areaError] : [cubes.volume, cubes.volumeError];
+  const thin = thinness(cubes.freedoms, layer !== null);
+  const text = thin ? WORDS.noSize[thin] : measureText(layer ? 'area' : 'volume', value, error);
   // along these there is an extent to speak of
   const axes = ['x', 'y', 'z'].map((axis, k) => ({ axis, low: low[k], high: high[k] }));
-  return { isFlat: layer !== null, axes: axes.filter((_, k) => k !== layer?.across), count, text };
+  return { isFlat: layer !== null, thin, axes: axes.filter((_, k) => k !== layer?.across), count, text };
 }
+
+/** Whether the tool point draws less than what is counted: 1 a curve, 2 a surface. @param {number} freedoms @param {boolean} isFlat @returns {1 | 2 | null} */
+const thinness = (freedoms, isFlat) => (freedoms === 1 ? 1 : freedoms === 2 && !isFlat ? 2 : null);
 
 /** @param {AppState} state @param {VolumeMap} map */
 export function volumeInWords({ doc }, map) {
   const { units } = doc.robot;
   const found = sizeOf(map);
   if (!found) return WORDS.none;
-  const { axes, isFlat, text } = found;
+  const { axes, isFlat, thin, text } = found;
   const ranges = axes.map(({ axis, low, high }) =>
     WORDS.along(axis, shortLength(low, units), shortLength(high, units)),
   );
-  return [isFlat ? WORDS.sizeFlat(text) : WORDS.size(text), WORDS.extent(ranges)].join(' ');
+  const size = thin ? WORDS.thin[thin] : isFlat ? WORDS.sizeFlat(text) : WORDS.size(text);
+  return [size, WORDS.extent(ranges)].join(' ');
 }
 
 /** Of a section that is not traced, how far its picture can be trusted. @param {NonNullable<SectionMap['first']>} first @param {Units} units */

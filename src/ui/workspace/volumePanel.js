@@ -133,7 +133,7 @@ export function createVolumePanel(page, body, say, afterPress) {
     legend.draw(map, view.colour, units, { isFlat: found.isFlat, joints });
     const points = map.places.reduce((sum, { length }) => sum + length / COORDINATES, 0);
     const rows = /** @type {[string, string][]} */ ([
-      [found.isFlat ? WORDS.result.area : WORDS.result.volume, found.text],
+      [found.isFlat ? WORDS.result.area : WORDS.result.volume, found.thin ? WORDS.result.none : found.text],
       ...found.axes.map(({ axis, low, high }) => [
         axis,
         WORDS.range(shortLength(low, units), shortLength(high, units)),
@@ -146,8 +146,8 @@ export function createVolumePanel(page, body, say, afterPress) {
       rows.flatMap(([name, value]) => [h('dt', {}, name), h('dd', {}, value)]),
     );
     note.textContent = [
-      found.isFlat && WORDS.flat,
-      view.tool !== 'any'
+      found.thin ? WORDS.thin[found.thin] : found.isFlat && WORDS.flat,
+      view.tool !== 'any' || found.thin
         ? null
         : cubes.isMiddle
           ? WORDS.proven

@@ -139,7 +139,7 @@ const CUBES = {
   ...{ size: 0.5, corner: /** @type {[number, number, number]} */ ([0, 0, 1]), counts: /** @type {[number, number, number]} */ ([4, 1, 1]) },
   ...{ reached: Uint8Array.of(1, 0, 1, 1), manipulability: Float32Array.of(0.1, 9, 0.2, 0.4) },
   ...{ margin: Float32Array.of(0, 1, 0.5, 1), directions: Float32Array.of(0, 1, 0.5, 1), postures: Uint8Array.of(2, 9, 4, 4) },
-  ...{ joints: 3, isMiddle: true, volume: 0, volumeError: 0 },
+  ...{ joints: 3, freedoms: 3, isMiddle: true, volume: 0, volumeError: 0 },
 }; // prettier-ignore
 
 describe('the volume in numbers', () => {

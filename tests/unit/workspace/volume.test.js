@@ -8,7 +8,7 @@ import { mapVolume } from '../../../src/workspace/volume.js';
 import { cubeAt, emptyVoxels, measuring, middleOf } from '../../../src/workspace/voxels.js';
 import { surfacing } from '../../../src/workspace/voxelSurface.js';
 import { publishedArm } from '../kinematics/publishedArms.js';
-import { anthropomorphic, armOf, cartesian, planar, scara, sliding } from './arms.js';
+import { anthropomorphic, armOf, cartesian, planar, scara, sliding, turning } from './arms.js';
 
 /** @import { ChainDescription } from '../../../src/kinematics/chain.js' */
 /** @import { VolumeOptions } from '../../../src/workspace/volume.js' */
@@ -81,7 +81,7 @@ describe('the volume of', () => {
 });
 
 test('many cubes are counted, drawn and summed up in steps, so that work can be stopped', () => {
-  const voxels = emptyVoxels({ low: [0, 0, 0], high: [1, 1, 0.3] }, 0.01, 3);
+  const voxels = emptyVoxels({ low: [0, 0, 0], high: [1, 1, 0.3] }, 0.01, { joints: 3, freedoms: 3 });
   expect(voxels.reached.length).toBeGreaterThan(3e5);
   for (const work of [measuring(voxels), surfacing(voxels), summarising(voxels)]) {
     voxels.reached[0] = 1;
@@ -102,6 +102,12 @@ test('a curve is where it is, and its area may be none: of an arm without a link
     expect(summary?.count).toBeGreaterThan(0);
     expect(summary?.layer?.area).toBeLessThanOrEqual(summary?.layer?.areaError ?? 0);
   }
+});
+
+test('what the tool point draws in general: a volume, a surface or a curve, whatever the cubes make of it', () => {
+  const freedoms = (/** @type {ChainDescription} */ arm) => volumeOf(arm, { cell: 0.4 }).voxels.freedoms;
+  const wrist = armOf(turning([0, -Math.PI / 2, 0, 0]), turning([0, Math.PI / 2, 0, 0]), turning([0, 0, 0.5, 0]));
+  expect([planar([0.5]), planar([0.5, 0.3]), wrist, anthropomorphic(0.5, 0.3)].map(freedoms)).toEqual([1, 2, 2, 3]);
 });
 
 test('a cube is found again by its middle', () => {

@@ -7,7 +7,8 @@
  * @import { Diagnostic } from './parse/cursor.js'
  * @import { Files } from './parser.js'
  */
-import { analyse } from './check/analysis.js';
+import { analyseInSlices } from './check/analysis.js';
+import { finished } from './slices.js';
 
 /**
  * @param {Program | Fragment} tree
@@ -15,6 +16,15 @@ import { analyse } from './check/analysis.js';
  *   as macros that nobody knows, so that unknown names are no fault
  * @returns {Diagnostic[]} in the order of the text
  */
-export function checkKarel(tree, { files = {}, hasGaps = false } = {}) {
-  return analyse(tree, files, hasGaps).diagnostics.sort((a, b) => a.span.start - b.span.start);
+export const checkKarel = (tree, options) => finished(checkInSlices(tree, options));
+
+/**
+ * The same, some statements at a time.
+ * @param {Program | Fragment} tree
+ * @param {{ files?: Files, hasGaps?: boolean }} [options]
+ * @returns {Generator<null, Diagnostic[]>}
+ */
+export function* checkInSlices(tree, { files = {}, hasGaps = false } = {}) {
+  const { diagnostics } = yield* analyseInSlices(tree, files, hasGaps);
+  return diagnostics.sort((a, b) => a.span.start - b.span.start);
 }

@@ -34,14 +34,41 @@ export function* within(job, share) {
 }
 
 /**
+ * @template Told, Result
+ * @typedef {{ onProgress?: (share: Told) => void, onDone: (result: Result) => void, onFault: (error: unknown) => void }} Listener
+ */
+
+/**
  * @template Result
  * @param {Generator<number, Result>} job   yields the share that is done
  * @param {Pick<Clock, 'now' | 'after'>} clock
- * @param {{ onProgress?: (share: number) => void, onDone: (result: Result) => void, onFault: (error: unknown) => void }} told
+ * @param {Listener<number, Result>} told
  * @returns {() => void} gives the job up: nothing more is told of it
  */
-export function inSlices(job, clock, { onProgress, onDone, onFault }) {
-  let cancel = clock.after(0, slice);
+export const inSlices = (job, clock, told) => slicing(job, clock, told, false);
+
+/**
+ * The same with the first slice now: what is short is done at once.
+ * @template Result
+ * @param {Generator<unknown, Result>} job
+ * @param {Pick<Clock, 'now' | 'after'>} clock
+ * @param {Listener<unknown, Result>} told
+ * @returns {() => void}
+ */
+export const inSlicesFromNow = (job, clock, told) => slicing(job, clock, told, true);
+
+/**
+ * @template Told, Result
+ * @param {Generator<Told, Result>} job
+ * @param {Pick<Clock, 'now' | 'after'>} clock
+ * @param {Listener<Told, Result>} told
+ * @param {boolean} beginsNow
+ * @returns {() => void}
+ */
+function slicing(job, clock, { onProgress, onDone, onFault }, beginsNow) {
+  let cancel = () => {};
+  if (beginsNow) slice();
+  else cancel = clock.after(0, slice);
   function slice() {
     const end = clock.now() + SLICE;
     try {

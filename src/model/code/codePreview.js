@@ -23,6 +23,7 @@ import { postureAlong } from '../controller/followMoves.js';
 import { codeArm } from './codeArm.js';
 import { systemAtFirst } from './codeFrames.js';
 import { movesOf } from './codeMoves.js';
+import { readInSlices } from './codePrograms.js';
 import { createCodeRun } from './codeRun.js';
 import { comingInputs } from './comingInputs.js';
 
@@ -36,7 +37,7 @@ const PLACES = 24;
  * @param {Doc} doc
  * @param {string} id  of the program; one that another calls is looked at where that calls it
  * @param {readonly RegisterSetting[]} [given]
- * @returns {Generator<void, Preview, void>}  a turn for each motion
+ * @returns {Generator<null | void, Preview, void>}  a turn for each motion, and for some statements that are read
  */
 export function* previewOf(doc, id, given = []) {
   /** @type {PreviewMove[]} */
@@ -46,6 +47,7 @@ export function* previewOf(doc, id, given = []) {
   const preview = { moves, faults };
   const chain = compileRobot(doc.robot);
   let now = doc;
+  const read = yield* readInSlices(doc.programs);
   const begin = (/** @type {string} */ first) =>
     createCodeRun(
       doc.programs,
@@ -55,6 +57,7 @@ export function* previewOf(doc, id, given = []) {
       {
         ...{ steps: MOST_STEPS, traceSteps: false, endsWithFirst: true, onScan: comingInputs(doc.programs) },
       },
+      read,
     );
   const chosen = /** @type {ProgramDoc} */ (doc.programs.find((one) => one.id === id));
   const caller = codeSet(doc.programs, chosen)[0].program.id;

@@ -3,18 +3,21 @@
  *
  * @import { ProgramDoc } from '../document.js'
  * @import { Diagnostic } from '../../karel/parse/cursor.js'
+ * @import { Files } from '../../karel/parser.js'
  * @import { Move } from '../../karel/tree.js'
  *
+ * @typedef {ReturnType<typeof import('../../karel/parser.js').parseKarel>} Parsed
  * @typedef {{ from: number, to: number, line: number, severity: 'error' | 'warning', message: string, isMove?: true }} Problem  in
  *   characters of the text; of a MOVE that is deprecated
  */
-import { checkKarel } from '../../karel/checker.js';
+import { checkInSlices } from '../../karel/checker.js';
 import { isKrlData, parseKrl } from '../../karel/krl/parser.js';
-import { parseKarel } from '../../karel/parser.js';
+import { parseInSlices } from '../../karel/parser.js';
 import { includesOf, keyOf } from '../../karel/preprocess/files.js';
 import { lineStarts, placeOf } from '../../karel/scan/places.js';
 import { checkTp } from '../../karel/tp/checker.js';
-import { parseTp } from '../../karel/tp/parser.js';
+import { parseTpInSlices } from '../../karel/tp/parser.js';
+import { finished } from '../../karel/slices.js';
 import { includerOf } from '../controller/codeSets.js';
 import { ASSUMED } from './codeOffsets.js';
 
@@ -26,28 +29,39 @@ const MOST_PROBLEMS = 200;
  * @param {ProgramDoc} program              the one that is looked at
  * @returns {Problem[]} in the order of the text
  */
-export function problemsOf(programs, { id, language, text }) {
+export const problemsOf = (programs, program) => finished(problemsInSlices(programs, program));
+
+/**
+ * The same, some statements at a time.
+ * @param {readonly ProgramDoc[]} programs
+ * @param {ProgramDoc} program
+ * @returns {Generator<null, Problem[]>}
+ */
+export function* problemsInSlices(programs, { id, language, text }) {
   const now = programs.map((one) => (one.id === id ? { ...one, text } : one));
-  const diagnostics = DIAGNOSTICS[language](text, now, id);
+  const diagnostics = yield* DIAGNOSTICS[language](text, now, id);
   return diagnostics
     .slice(0, MOST_PROBLEMS)
     .map((one) => placed(one, text))
     .sort((a, b) => a.from - b.from);
 }
 
-/** @type {Readonly<Record<ProgramDoc['language'], (text: string, programs: readonly ProgramDoc[], id: string) => readonly Diagnostic[]>>} */
+/** @type {Readonly<Record<ProgramDoc['language'], (text: string, programs: readonly ProgramDoc[], id: string) => Generator<null, readonly Diagnostic[]>>>} */
 const DIAGNOSTICS = {
-  karel(text, programs, id) {
-    const { tree, diagnostics } = parseKarel(text, { files: filesOf(programs) });
+  *karel(text, programs, id) {
+    const files = filesOf(programs);
+    const parsed = yield* parseInSlices(text, { files });
+    const { tree, diagnostics } = parsed;
     if (diagnostics.some(isError)) return diagnostics;
-    const whole = tree.kind === 'fragment' && inItsProgram(programs, id);
-    return [...(whole || checked(text, programs)), ...deprecated(tree)];
+    const whole = tree.kind === 'fragment' ? yield* inItsProgram(programs, id) : null;
+    return [...(whole ?? (yield* checked(parsed, files))), ...deprecated(tree)];
   },
-  'fanuc-tp'(text) {
-    const { tree, diagnostics } = parseTp(text);
+  *'fanuc-tp'(text) {
+    const { tree, diagnostics } = yield* parseTpInSlices(text);
     return [...diagnostics, ...checkTp(tree)];
   },
-  krl(text) {
+  // eslint-disable-next-line require-yield -- its texts are read at once
+  *krl(text) {
     if (!isKrlData(text)) return parseKrl(text).diagnostics;
     return parseKrl('', text).datDiagnostics;
   },
@@ -59,21 +73,21 @@ const filesOf = (programs) => Object.fromEntries(programs.map(({ id, text }) => 
 /** @param {Diagnostic} diagnostic */
 const isError = ({ severity }) => severity === 'error';
 
-/** @param {string} text @param {readonly ProgramDoc[]} programs @returns {readonly Diagnostic[]} */
-function checked(text, programs) {
-  const files = filesOf(programs);
-  const { tree, diagnostics, hasGaps } = parseKarel(text, { files });
-  return [...diagnostics, ...(diagnostics.some(isError) ? [] : checkKarel(tree, { files, hasGaps }))];
+/** @param {Parsed} parsed @param {Files} files @returns {Generator<null, readonly Diagnostic[]>} */
+function* checked({ tree, diagnostics, hasGaps }, files) {
+  return [...diagnostics, ...(diagnostics.some(isError) ? [] : yield* checkInSlices(tree, { files, hasGaps }))];
 }
 
-/** What is against a text where a program includes it, which knows more names than it does. @param {readonly ProgramDoc[]} programs @param {string} id @returns {Diagnostic[] | null} null: no program does */
-function inItsProgram(programs, id) {
+/** What is against a text where a program includes it, which knows more names than it does. @param {readonly ProgramDoc[]} programs @param {string} id @returns {Generator<null, Diagnostic[] | null>} null: no program does */
+function* inItsProgram(programs, id) {
   const part = programs.find((one) => one.id === id);
   const program = part && includerOf(programs, part);
   if (!program) return null;
   const ids = programs.map((one) => one.id);
   const isHere = (/** @type {Diagnostic} */ { span }) => span.file !== undefined && keyOf(ids, span.file) === id;
-  return checked(program.text, programs).flatMap((one) =>
+  const files = filesOf(programs);
+  const parsed = yield* parseInSlices(program.text, { files });
+  return (yield* checked(parsed, files)).flatMap((one) =>
     isHere(one) ? [{ ...one, span: { ...one.span, file: undefined } }] : [],
   );
 }

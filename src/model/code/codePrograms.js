@@ -10,24 +10,28 @@
  * @typedef {ReadBase & { language: 'karel', tree: Program | Fragment, programs: readonly Program[] }} ReadKarel
  * @typedef {ReadBase & { language: 'tp', tree: TpListing }} ReadTp
  */
-import { parseKarel } from '../../karel/parser.js';
+import { parseInSlices } from '../../karel/parser.js';
+import { finished } from '../../karel/slices.js';
 import { checkTp } from '../../karel/tp/checker.js';
-import { parseTp } from '../../karel/tp/parser.js';
+import { parseTpInSlices } from '../../karel/tp/parser.js';
 import { nameOf } from '../../karel/tp/tree.js';
 
 /** @param {readonly ProgramDoc[]} programs @returns {(ReadKarel | ReadTp)[]} */
-export function readPrograms(programs) {
+export const readPrograms = (programs) => finished(readInSlices(programs));
+
+/** The same, some statements at a time. @param {readonly ProgramDoc[]} programs @returns {Generator<null, (ReadKarel | ReadTp)[]>} */
+export function* readInSlices(programs) {
   const files = Object.fromEntries(programs.map(({ id, text }) => [id, text]));
   /** @type {(ReadKarel | ReadTp)[]} */
   const read = [];
   for (const { id, language, text } of programs) {
     if (language === 'karel') {
-      const { tree, diagnostics, programs: made } = parseKarel(text, { files });
+      const { tree, diagnostics, programs: made } = yield* parseInSlices(text, { files });
       const name = tree.kind === 'program' ? tree.name : id;
       const errors = diagnostics.filter(isError);
       read.push({ id, language: 'karel', name, tree, programs: made, errors: () => errors });
     } else if (language === 'fanuc-tp') {
-      const { tree, diagnostics } = parseTp(text);
+      const { tree, diagnostics } = yield* parseTpInSlices(text);
       /** @type {Diagnostic[] | null} */
       let errors = null;
       const found = () => (errors ??= [...diagnostics, ...checkTp(tree)].filter(isError));

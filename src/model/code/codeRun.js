@@ -42,14 +42,15 @@ const TASKS = 100;
  * @param {CodeArm} arm
  * @param {Record<string, unknown>} [system]  what the controller's variables hold at first
  * @param {Pick<ControllerHost, 'steps' | 'traceSteps' | 'onScan' | 'endsWithFirst'>} [how]
+ * @param {ReturnType<typeof readPrograms>} [read]  the programs, read before
  * @returns {{ run: CodeRun } | { diagnostics: readonly Diagnostic[] }}  the other way round where it cannot be run
  */
-export function createCodeRun(programs, id, arm, system = {}, how = {}) {
+export function createCodeRun(programs, id, arm, system = {}, how = {}, read = undefined) {
   const chosen = programs.find((one) => one.id === id);
   if (chosen?.language === 'krl')
     return createKrlRun(programs, chosen, { steps: MOST_STEPS, traceSteps: true, ...how });
-  const read = readPrograms(programs);
-  const main = read.find((one) => one.id === id);
+  const all = read ?? readPrograms(programs);
+  const main = all.find((one) => one.id === id);
   if (!main) throw new RangeError(`Expected the name of a program, got "${id}".`);
   if (main.errors().length > 0) return { diagnostics: main.errors() };
   if (main.language === 'karel' && main.tree.kind === 'fragment') return { diagnostics: [NO_PROGRAM] };
@@ -58,7 +59,7 @@ export function createCodeRun(programs, id, arm, system = {}, how = {}) {
   /** @type {Record<string, TpListing>} */
   const listings = {};
   // The one that is run comes first, should another have its name.
-  for (const one of [main, ...read]) {
+  for (const one of [main, ...all]) {
     if (one.language === 'karel') {
       if (one.tree.kind === 'program') karel[one.name] ??= one.tree;
       for (const other of one.programs) karel[other.name] ??= other;
@@ -86,7 +87,7 @@ export function createCodeRun(programs, id, arm, system = {}, how = {}) {
   );
   if (controller.refusal) return { diagnostics: controller.refusal.diagnostics ?? [] };
   Object.assign(memoryOf(controller).system, system);
-  return { run: debugged(fanuc(controller, read, sources)) };
+  return { run: debugged(fanuc(controller, all, sources)) };
 }
 
 /** @param {ReturnType<typeof createController>} controller @param {ReturnType<typeof readPrograms>} read @param {Readonly<Record<string, string>>} sources  all texts by their ids @returns {Debugged<ReturnType<typeof saveController>>} */

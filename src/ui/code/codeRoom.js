@@ -6,9 +6,10 @@
  * @import { ProgramDoc } from '../../model/document.js'
  * @import { Problem } from '../../model/code/codeProblems.js'
  */
+import { inSlicesFromNow } from '../../model/inSlices.js';
 import { formatted } from '../../model/code/codeFormat.js';
 import { namesFor } from '../../model/code/codeNames.js';
-import { problemsOf } from '../../model/code/codeProblems.js';
+import { problemsInSlices } from '../../model/code/codeProblems.js';
 import { together } from '../../model/views.js';
 import '../css/codeEditor.css';
 import '../css/codeRun.css';
@@ -36,7 +37,7 @@ const IDLE = 0.4;
  * @param {() => string} given.today   ISO 8601
  */
 export function createCodeRoom(page, host, { openProgram, onAdded, version, today }) {
-  const { store, clock } = page;
+  const { store, clock, messages } = page;
   const whenLetGo = createPressGate(host, clock);
   /** @type {ProgramDoc | null} as the document has it */
   let open = null;
@@ -52,6 +53,8 @@ export function createCodeRoom(page, host, { openProgram, onAdded, version, toda
   let pointed = null;
   /** @type {(() => void) | null} */
   let cancelIdle = null;
+  let cancelCheck = () => {};
+  let isChecking = false;
 
   const editorHost = h('div', { class: 'code-editor' });
   const problemText = h('p', { class: 'code-problem', role: 'status' });
@@ -128,11 +131,21 @@ export function createCodeRoom(page, host, { openProgram, onAdded, version, toda
   }
 
   function check() {
+    cancelCheck();
     if (!open) return;
-    found = problemsOf(store.state.doc.programs, { ...open, text: editor.text() });
-    showProblems();
-    const isSound = !found.some(({ severity }) => severity === 'error');
-    previewer.ask(isSound ? open.id : null);
+    const { id } = open;
+    isChecking = true;
+    cancelCheck = inSlicesFromNow(problemsInSlices(store.state.doc.programs, { ...open, text: editor.text() }), clock, {
+      onDone(problemsNow) {
+        isChecking = false;
+        found = problemsNow;
+        showProblems();
+        const isSound = !found.some(({ severity }) => severity === 'error');
+        previewer.ask(isSound ? id : null);
+      },
+      onFault: messages.fault,
+    });
+    if (isChecking) drawProblems();
   }
 
   function showProblems() {
@@ -160,6 +173,7 @@ export function createCodeRoom(page, host, { openProgram, onAdded, version, toda
     tpCalls.show((here ?? problems[0])?.isMove ? { ...open, text: editor.text() } : null);
     if (here) return say(`${CODE.line(here.line)}: ${here.message}`, here.severity === 'error');
     const errors = problems.filter(({ severity }) => severity === 'error').length;
+    if (isChecking && problems.length === 0) return say(CODE.checking);
     if (problems.length === 0) return say(open.language === 'krl' ? CODE.noProblemsKrl : CODE.noProblems);
     const [first] = problems;
     return say(
@@ -230,6 +244,8 @@ export function createCodeRoom(page, host, { openProgram, onAdded, version, toda
     show(program) {
       if (program === null) {
         commit();
+        cancelCheck();
+        isChecking = false;
         open = null;
         host.hidden = true;
         previewer.ask(null);
@@ -241,6 +257,7 @@ export function createCodeRoom(page, host, { openProgram, onAdded, version, toda
         open = program;
         line = 1;
         editor.open(program, stops.get(program.id) ?? []);
+        [found, problems] = [[], []];
         check();
         drawRun();
       } else if (open.text !== program.text) {

@@ -179,7 +179,7 @@ export function createEditor(host, { onText, onLeave, onStops, onLine, onPoint, 
         }),
       );
       isSetting = false;
-      view.dispatch({ effects: setStops.of(lines) });
+      if (lines.length > 0) view.dispatch({ effects: setStops.of(lines) });
     },
     /** The same program has another text: of an undo. @param {string} text */
     replace(text) {

@@ -79,6 +79,7 @@ export const CODE = {
     reach: 'the way leaves the reach of the arm',
     arc: 'no circle passes the three points',
   },
+  checking: 'Looking for errors…',
   noProblems: 'No errors found',
   problems: (/** @type {number} */ errors, /** @type {number} */ warnings) =>
     [

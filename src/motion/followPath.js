@@ -148,6 +148,21 @@ export function followPath(chain, way, begin, options = {}) {
   return { status: 'done', path, positionDeviation: worst.position, turnDeviation: worst.turn, task };
 }
 
+/**
+ * The posture that is on the way itself, near one of some that are nearly so, as those between knots are: as near to the way as it can
+ * be, on an arm with too few joints. The first of them, where it is found from none.
+ * @param {Chain} chain
+ * @param {ToolPath} way
+ * @param {number} share
+ * @param {readonly Float64Array[]} near
+ * @returns {Float64Array}
+ */
+export function postureOn(chain, way, share, near) {
+  const knot = createKnot(chain.dof);
+  const solver = createPathSolver(chain, way, SOLVED, { place: Infinity, turn: Infinity });
+  return near.some((q) => solver.solve(share, q, knot)) ? knot.q : near[0];
+}
+
 /** What the ends of a piece are off adds to its bound. @param {PathKnot} a @param {PathKnot} b @param {number} width @param {{ position: number, turn: number }} off */
 function addUnsolved(a, b, width, off) {
   for (const part of /** @type {const} */ (['position', 'turn'])) {

@@ -28,7 +28,7 @@ const FREE_STEPS = 3;
 /** A joint that is sent farther than this by one step (radians, arm lengths) is sent elsewhere. */
 const MOST_CORRECTION = 0.5;
 
-/** A step that leaves more than this share of what was left gains nothing. */
+/** A step that leaves more than this share of what was left, and not more than it, gains nothing. */
 const AT_REST = 0.99;
 
 /** @param {number} dof @returns {PathKnot} */
@@ -111,8 +111,9 @@ export function createPathSolver(chain, path, solved, missed = { place: 0, turn:
         const now = left();
         // one more step than is needed costs little, and leaves the last digits only
         if (now <= solved && (now > left0 / 4 || now < 1e-14 || steps === 0)) break;
-        if (now > AT_REST * left0 && isNear()) break;
-        if (steps === MOST_STEPS || !(now < Infinity) || (steps > FREE_STEPS && now > SLOWEST * left0)) return false;
+        if (now > AT_REST * left0 && now < left0 / AT_REST && isNear()) break;
+        const isSlow = steps > FREE_STEPS && now > SLOWEST * left0 && !isNear(); // it slows down where it comes to rest
+        if (steps === MOST_STEPS || !(now < Infinity) || isSlow) return false;
         left0 = now;
         system.set(J, length);
         step.fill(0);

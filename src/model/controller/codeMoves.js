@@ -18,8 +18,10 @@
  * @property {number} userFrame
  * @property {number} tool
  * @property {boolean} isJoint
+ * @property {Float64Array} T_base_said   the tool's pose that the target says, which an arm with few joints may be beside
  * @property {{ kind: string, value?: number }} ending
  * @property {readonly number[] | null} via    of a circular move: the numbers of the point on the way
+ * @property {boolean} viaIsJoint
  * @property {string | null} configuration   that it asks for
  */
 import { configOf, configText } from '../../karel/run/positions.js';
@@ -30,13 +32,11 @@ import { compose } from '../../kinematics/pose.js';
 import { configurationAt } from '../aim/solutions.js';
 import { compilePosture, postureFromKernel } from '../compile.js';
 import { toKernel } from '../units.js';
-import { followMove, postureAlong } from './followMoves.js';
+import { followMove, isFull, postureAlong } from './followMoves.js';
 import { fanucTurns, kukaTurns } from './fullTurns.js';
 import { postureFromPendant } from './pendantNumbers.js';
 
 const UNITS = /** @type {const} */ ({ length: 'mm', angle: 'deg' });
-/** Joints of an arm that meets whole poses. */
-const FULL = 6;
 const MOTIONS = /** @type {Readonly<Record<string, CodeMove['motion']>>} */ ({
   J: 'joint',
   L: 'linear',
@@ -90,14 +90,14 @@ export function codeMove(doc, frames, from, effect, isCompared = false) {
     ...{ line: read.line ?? 0, motion, kernel: asReached(kernel, followed) },
     ...{ followed, speed: read.speed, ending: read.termination },
     ...{ userFrame: read.userFrame, tool: read.toolFrame, isJoint: read.isJoint },
-    via: read.via ?? null,
+    ...{ T_base_said: T_target, via: read.via ?? null, viaIsJoint: read.viaIsJoint === true },
     configuration: read.isJoint ? null : (asked?.text ?? null),
   };
 }
 
 /** An arm with few joints is beside the poses that decimals say: what it is to be planned by is where it is. @param {CodeMove['kernel']} kernel @param {FollowedMove} followed @returns {CodeMove['kernel']} */
 function asReached(kernel, { chain, path, way }) {
-  if (kernel.kind === 'joint' || chain.dof >= FULL) return kernel;
+  if (kernel.kind === 'joint' || isFull(chain)) return kernel;
   const at = (/** @type {number} */ share) => tcpPose(chain, postureAlong(path, share));
   const T_base_tcp = at(1);
   return kernel.kind === 'linear' ? { ...kernel, T_base_tcp } : { ...kernel, T_base_tcp, via: at(way?.viaShare ?? 0) };

@@ -8,10 +8,10 @@
  * @import { NeutralMove, NeutralTarget } from '../../karel/write/neutral.js'
  */
 import { speedFor } from '../../karel/write/fanucMoves.js';
-import { tcpPose } from '../../kinematics/forward.js';
 import { poseDifference } from '../../kinematics/pose.js';
 import { fromKernel } from '../units.js';
-import { postureAlong } from './followMoves.js';
+import { mostOf } from './decimalsCost.js';
+import { SHARES, toolOnWay } from './followMoves.js';
 
 /** What code may differ by in any case: mm and degrees. */
 const TOLERANCE = 0.01;
@@ -19,9 +19,6 @@ const TOLERANCE = 0.01;
 /** Speeds are written without decimals, and a controller's reals have 24 bits. */
 const HALF = 0.5;
 const SINGLE = 2 ** -23;
-
-/** Shares of a way at which the two are compared. */
-const SHARES = [0.25, 0.5, 0.75, 1];
 
 const UNITS = /** @type {const} */ ({ length: 'mm', angle: 'deg' });
 const SPEED_UNITS = /** @type {Readonly<Record<string, string>>} */ ({
@@ -39,14 +36,15 @@ const ANOTHER = 1e-2;
 /** So many numbers a Cartesian position has in effects. */
 const CARTESIAN = 10;
 
-/** @param {CodeMove} done @param {MadeMove | undefined} wanted @param {Deviation} rounding @param {'fanuc' | 'krl'} language @returns {{ step: number, deviation: Deviation, against: string[], limited: string[] }} */
-export function compared(done, wanted, rounding, language) {
+/** @param {CodeMove} done @param {MadeMove | undefined} wanted @param {readonly Deviation[]} costs  of decimals, at the shares @param {'fanuc' | 'krl'} language @returns {{ step: number, deviation: Deviation, against: string[], limited: string[] }} */
+export function compared(done, wanted, costs, language) {
   if (!wanted)
     return {
       ...{ step: -1, deviation: { millimetres: Infinity, degrees: Infinity }, limited: [] },
       against: ['a move that the program does not have'],
     };
-  const deviation = deviationOf(done, wanted);
+  const deviations = deviationsOf(done, wanted);
+  const deviation = mostOf(deviations);
   const { lost, move } = wanted;
   return {
     step: move.step,
@@ -54,7 +52,7 @@ export function compared(done, wanted, rounding, language) {
       millimetres: Math.max(deviation.millimetres, lost?.deviation.millimetres ?? 0),
       degrees: Math.max(deviation.degrees, lost?.deviation.degrees ?? 0),
     },
-    against: differences(done, wanted, deviation, rounding, language),
+    against: differences(done, wanted, deviations, costs, language),
     limited: speedLimits(done, move, language),
   };
 }
@@ -63,36 +61,43 @@ export function compared(done, wanted, rounding, language) {
 export const lostText = ({ law, deviation: { millimetres, degrees } }) =>
   `The program goes by ${law} here, the code by the joints in proportion: the tool is up to ${millimetres.toFixed(2)} mm and ${degrees.toFixed(2)}° off the program's own way, and the controller rounds the corner in its own manner.`;
 
-/** How far apart the two are at most, where both go by the same shares of their ways. @param {CodeMove} done @param {MadeMove} wanted @returns {Deviation} */
-function deviationOf({ followed }, { followed: own }, shares = SHARES) {
-  const worst = { millimetres: 0, degrees: 0 };
-  for (const share of shares) {
-    const T_base_code = tcpPose(followed.chain, postureAlong(followed.path, share));
-    const T_base_own = tcpPose(own.chain, postureAlong(own.path, share));
-    const [x, y, z, a, b, c] = poseDifference(T_base_own, T_base_code);
-    worst.millimetres = Math.max(worst.millimetres, fromKernel('length', Math.hypot(x, y, z), UNITS));
-    worst.degrees = Math.max(worst.degrees, fromKernel('angle', Math.hypot(a, b, c), UNITS));
-  }
-  return worst;
+/**
+ * How far apart the two are where both have gone by the same shares of their ways. Joint values are where a controller goes, whatever
+ * of them an arm with few joints is asked for.
+ * @param {CodeMove} done
+ * @param {MadeMove} wanted
+ * @returns {Deviation[]}
+ */
+function deviationsOf({ followed, isJoint, T_base_said }, { followed: own }) {
+  return SHARES.map((share) => {
+    const T_base_code = share === 1 && isJoint ? T_base_said : toolOnWay(followed, share);
+    const [x, y, z, a, b, c] = poseDifference(toolOnWay(own, share), T_base_code);
+    return {
+      millimetres: fromKernel('length', Math.hypot(x, y, z), UNITS),
+      degrees: fromKernel('angle', Math.hypot(a, b, c), UNITS),
+    };
+  });
 }
 
-/** @param {CodeMove} done @param {MadeMove} wanted @param {Deviation} deviation @param {Deviation} rounding @param {'fanuc' | 'krl'} language @returns {string[]} */
-function differences(done, wanted, deviation, rounding, language) {
+/** @param {CodeMove} done @param {MadeMove} wanted @param {readonly Deviation[]} deviations @param {readonly Deviation[]} costs @param {'fanuc' | 'krl'} language @returns {string[]} */
+function differences(done, wanted, deviations, costs, language) {
   const { move, followed } = wanted;
   /** @type {string[]} */
   const list = [];
   if (done.motion !== move.motion) list.push(`a ${done.motion} move, not a ${move.motion} one`);
   if (done.userFrame !== move.userFrame) list.push(`user frame ${done.userFrame}, not ${move.userFrame}`);
   if (done.tool !== move.tool) list.push(`tool ${done.tool}, not ${move.tool}`);
-  const isFar =
-    deviation.millimetres > Math.max(TOLERANCE, rounding.millimetres) ||
-    deviation.degrees > Math.max(TOLERANCE, rounding.degrees);
+  const isFar = deviations.some(
+    ({ millimetres, degrees }, k) =>
+      millimetres > Math.max(TOLERANCE, costs[k].millimetres) || degrees > Math.max(TOLERANCE, costs[k].degrees),
+  );
+  const { millimetres, degrees } = mostOf(deviations);
   const away = Math.max(...done.followed.end.map((value, i) => Math.abs(value - followed.end[i])));
-  const end = deviationOf(done, wanted, [1]);
+  const end = deviations[deviations.length - 1];
   // The tool may be there with another posture.
   const isOther = done.motion === 'joint' && away > ANOTHER && end.millimetres < 1 && end.degrees < 1;
   if (isOther) list.push('another posture of the arm');
-  else if (isFar) list.push(`${short(deviation.millimetres)} mm and ${short(deviation.degrees)} degrees away`);
+  else if (isFar) list.push(`${short(millimetres)} mm and ${short(degrees)} degrees away`);
   if (isOtherVia(done.via, move.via)) list.push('another point on the way');
   if (isComparable(done, move)) {
     if (!isSpeed(done, move.speed.value) && !isSpeed(done, allowed(move, language)))
@@ -142,9 +147,11 @@ function speedLimits(done, move, language) {
 /** Whether the numbers of the point that a circle passes are others; full turns aside. @param {readonly number[] | null} found @param {NeutralTarget | undefined} wanted */
 function isOtherVia(found, wanted) {
   if (!found || !wanted) return false;
-  const numbers = found.length < CARTESIAN ? wanted.joints : wanted.position;
+  const isPosition = found.length >= CARTESIAN;
+  const numbers = isPosition ? wanted.position : wanted.joints;
   return numbers.some((value, i) => {
     const off = found[i] - value;
-    return Math.abs(off) > TOLERANCE && Math.abs(off - 360 * Math.round(off / 360)) > TOLERANCE;
+    const turns = isPosition && i < 3 ? 0 : 360 * Math.round(off / 360);
+    return Math.abs(off - turns) > TOLERANCE;
   });
 }

@@ -6,17 +6,18 @@
  * @import { PosturePath } from '../../motion/posturePath.js'
  * @import { Move } from '../../motion/moves.js'
  * @import { PathRefusal } from '../../motion/followPath.js'
+ * @import { ToolPath } from '../../motion/toolPath.js'
  *
  * @typedef {object} FollowedMove
  * @property {Chain} chain           with the move's tool
  * @property {PosturePath} path      by the share of the way
  * @property {Float64Array} end      posture
- * @property {{ length: number, turn: number, viaShare?: number } | null} way   of the tool: m, rad, and of an arc the share at
- *   which it passes the point on the way; null for a joint move
+ * @property {(ToolPath & { viaShare?: number }) | null} way   of the tool, and of an arc the share at which it passes the point on
+ *   the way; null for a joint move
  */
 import { createChain } from '../../kinematics/chain.js';
 import { tcpPose } from '../../kinematics/forward.js';
-import { followPath } from '../../motion/followPath.js';
+import { followPath, postureOn } from '../../motion/followPath.js';
 import { pathMomentAt, straightPath } from '../../motion/posturePath.js';
 import { arcPath, hasArc, linePath } from '../../motion/toolPath.js';
 
@@ -36,19 +37,26 @@ export function followMove(chain, from, move, { isRounded = false, hasRoom = fal
   if (move.kind === 'joint') {
     return { chain, path: straightPath([0, 1], [from, move.posture]), end: move.posture, way: null };
   }
-  const T_base_from = tcpPose(chain, from);
-  const { T_base_tcp } = move;
-  if (move.kind === 'circular' && !hasArc(T_base_from, move.via.subarray(12, 15), T_base_tcp))
-    return { message: 'no circle passes the three points' };
-  const way =
-    move.kind === 'circular'
-      ? arcPath(T_base_from, move.via.subarray(12, 15), T_base_tcp)
-      : linePath(T_base_from, T_base_tcp);
+  const way = wayOf(tcpPose(chain, from), move.kind === 'circular' ? move.via : null, move.T_base_tcp);
+  if (!way) return { message: 'no circle passes the three points' };
   const strict = followPath(chain, way, from, { isRounded });
   const isAtLimit = hasRoom && strict.status === 'refused' && strict.reason === 'limit';
   const found = isAtLimit ? followPath(withRoom(chain), way, from, { isRounded }) : strict;
   if (found.status === 'refused') return { message: whyRefused(found) };
   return { chain, path: found.path, end: postureAlong(found.path, 1), way };
+}
+
+/**
+ * The line between two poses, or the arc past the place of another one; null: no circle passes the three.
+ * @param {Float64Array} from
+ * @param {Float64Array | null} via
+ * @param {Float64Array} to
+ * @returns {FollowedMove['way']}
+ */
+export function wayOf(from, via, to) {
+  if (!via) return linePath(from, to);
+  const place = via.subarray(12, 15);
+  return hasArc(from, place, to) ? arcPath(from, place, to) : null;
 }
 
 /** @type {WeakMap<Chain, Chain>} */
@@ -68,6 +76,30 @@ function withRoom(chain) {
 
 /** The posture at a share of a way. @param {PosturePath} path @param {number} share */
 export const postureAlong = (path, share) => pathMomentAt(path, share).posture.slice();
+
+/** Joints of an arm that meets whole poses. */
+const FULL = 6;
+
+/** @param {Chain} chain */
+export const isFull = ({ dof }) => dof >= FULL;
+
+/** Shares of a way at which two are compared. */
+export const SHARES = [0.25, 0.5, 0.75, 1];
+
+/** From in a singular posture the way out of it is not found, but from before it: so much of the way. */
+const BEFORE = 1 / 64;
+
+/** The posture on the way itself, between whose knots the path is off by what it promises. @param {FollowedMove} followed @param {number} share */
+export function postureOnWay({ chain, path, way }, share) {
+  const near = [share, share - BEFORE].map((one) => postureAlong(path, one));
+  return way ? postureOn(chain, way, share, near) : near[0];
+}
+
+/** The tool there. @param {FollowedMove} followed @param {number} share */
+export const toolOnWay = (followed, share) =>
+  followed.way && isFull(followed.chain)
+    ? followed.way.poseAt(share)
+    : tcpPose(followed.chain, postureOnWay(followed, share));
 
 /** Shares of the way so short that the arm is where it began. */
 const AT_ONCE = 1e-5;

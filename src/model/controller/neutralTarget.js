@@ -26,7 +26,7 @@ import { valuesInside } from './insideLimits.js';
 
 const CONTROLLER_UNITS = /** @type {const} */ ({ length: 'mm', angle: 'deg' });
 
-/** One over the condition number, below which the decimals of a position cost the way to it more than those of joint values (roundingAlong.js). */
+/** One over the condition number, below which the decimals of a position cost the way to it more than those of joint values (decimalsCost.js). */
 const SINGULAR = 0.02;
 
 /** Degrees: an axis nearer than this to where its turn gets another number may be on either side of it, by the decimals of a position. */

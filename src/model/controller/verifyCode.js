@@ -34,10 +34,10 @@ import { compilePosture, postureFromKernel } from '../compile.js';
 import { atOnce } from '../inSlices.js';
 import { compared, lostText } from './compareMoves.js';
 import { pendantValues } from './controllerValues.js';
+import { decimalsCost, mostOf } from './decimalsCost.js';
 import { effectMoves } from './effectMoves.js';
 import { controllerFrames } from './frameNumbers.js';
-import { moveMargins, roundingOf, roundingOfArc } from './moveMargins.js';
-import { roundingAlong } from './roundingAlong.js';
+import { moveMargins } from './moveMargins.js';
 import { runMoves } from './runCode.js';
 
 /** Condition numbers past this are near a singularity: one over it. */
@@ -74,13 +74,14 @@ export function* verifyInSlices(doc, made, files, start = doc.posture, given = [
   const largest = { millimetres: 0, degrees: 0 };
   let /** @type {Float64Array} */ from = compilePosture(doc.robot, start);
   let isSame = true;
-  let roundingBefore = { millimetres: 0, degrees: 0 };
-  /** @type {CodeMove | null} */
-  let doneBefore = null;
+  /** What the decimals of the move before leave open of the posture. @type {readonly Float64Array[]} */
+  let loose = [];
+  /** And of where the tool is. */
+  let before = { millimetres: 0, degrees: 0 };
   /** Frames that were said to be missing. @type {Set<string>} */
   const told = new Set();
   /** @type {string | null} */
-  let before = null;
+  let letters = null;
   const posture = () => postureFromKernel(doc.robot, from);
   const arm = {
     joints: () => pendantValues(doc.robot, posture()),
@@ -113,18 +114,15 @@ export function* verifyInSlices(doc, made, files, start = doc.posture, given = [
       const wanted = made?.moves[moves.length];
       from = done.followed.end;
       const margins = moveMargins(doc, done);
-      const own = roundingOf(doc, done);
-      const along = roundingAlong(doc, doneBefore, done);
-      // It begins where the decimals of the one before have put the arm.
-      const rounding = {
-        millimetres: Math.max(
-          ...[roundingOfArc(done, roundingBefore, own).millimetres, roundingBefore.millimetres, along.millimetres],
-        ),
-        degrees: Math.max(own.degrees, roundingBefore.degrees, along.degrees),
-      };
-      [roundingBefore, doneBefore] = [own, done];
+      const T_base_user = wanted && frames.userPose(wanted.move.userFrame);
+      const cost = T_base_user
+        ? decimalsCost(doc.robot, wanted, { ...done, T_base_user }, loose)
+        : { along: [{ millimetres: 0, degrees: 0 }], loose };
+      loose = cost.loose;
+      const rounding = mostOf([before, ...cost.along]);
+      before = cost.along[cost.along.length - 1];
       const { step, deviation, against, limited } = made
-        ? compared(done, wanted, rounding, language)
+        ? compared(done, wanted, cost.along, language)
         : { step: -1, deviation: null, against: [], limited: [] };
       moves.push({
         ...{ file, line: effect.line ?? 0, step, motion: done.motion },
@@ -138,8 +136,8 @@ export function* verifyInSlices(doc, made, files, start = doc.posture, given = [
       }
       for (const text of limited) find('warning', 'speed-limit', text);
       if (wanted?.lost) find('warning', 'lost-law', lostText(wanted.lost));
-      for (const [code, message] of concerns(done, margins, before)) find('warning', code, message);
-      before = done.configuration?.split(',')[0] ?? before;
+      for (const [code, message] of concerns(done, margins, letters)) find('warning', code, message);
+      letters = done.configuration?.split(',')[0] ?? letters;
     }
   }
   if (made && moves.length !== made.moves.length)

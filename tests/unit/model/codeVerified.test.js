@@ -10,7 +10,11 @@ import { limitsOf } from '../../../src/model/document.js';
 import { LIBRARY, newDocument } from '../../../src/model/library.js';
 import { runs, SEED } from '../../helpers/property.js';
 /** @import { StepDoc } from '../../../src/model/document.js' */
-import { documentOf, fixed, FIXED, madeOf, WRITERS } from './codePrograms.js';
+import { documentOf, fixed, FIXED, madeOf, WRITERS, WRITTEN } from './codePrograms.js';
+import { tcpPose } from '../../../src/kinematics/forward.js';
+import { compilePosture, compileRobot } from '../../../src/model/compile.js';
+import { neutralProgram } from '../../../src/model/controller/neutralProgram.js';
+import { poseInUnits } from '../../../src/model/numbers/poseNumbers.js';
 
 test('a certificate fits its files, and no others: any digit that is another one, another file of the set, another arm', () => {
   for (const [write, brand] of WRITERS) {
@@ -60,6 +64,62 @@ test('a digit of a move that is another one is found by running the code, on its
       expect(matches).toBe(false);
       expect(findings.filter(({ severity, line }) => severity === 'error' && line > 0).length).toBeGreaterThan(0);
     }
+  }
+});
+
+test('a number that takes the tool farther than decimals could is found, however much they cost elsewhere', () => {
+  const manner = { acceleration: 100, ending: { kind: 'fine' } };
+  const byJoints = { kind: 'joint', speed: 10, speedUnit: '%', ...manner };
+  const byTool = { speed: 50, speedUnit: 'length/s', ...manner };
+  /** @typedef {[string, number, number[], (number[])[], number, number]} Row  the arm, how it is written, postures as seen from its home, which number is off and by what */
+  const rows = /** @type {Row[]} */ ([
+    // a line after joint values, whose decimals cost ten times as much
+    ['kuka_kr210_l150', 0, [3, -4, 5, 20, 40, 6], [[6, -7, 8, 22, 42, 4]], 0, 0.02],
+    // joint values: no more than their own decimals, and of the posture at the end alone
+    ['ur10', 2, [20, 10, 20, 30, 50, 60], [], 1, 0.003],
+    // the tool's turn, on arms with few joints
+    ['mitsubishi_rv2aj', 3, [10, 20, 60, 40, 20], [[13, 24, 57, 42, 25]], 4, 0.03],
+    // joint values are gone to though the place alone is met on the way
+    [
+      'spherical_wrist',
+      0,
+      [10, 40, 20],
+      [
+        [30, 40, 20],
+        [50, 40, 20],
+      ],
+      2,
+      30,
+    ],
+  ]);
+  for (const [arm, writer, from, [to, end], number, off] of rows) {
+    const home = newDocument(LIBRARY[arm]);
+    const { robot } = home;
+    const away = (/** @type {number[]} */ q) => home.posture.map((value, i) => value + q[i]);
+    const pose = (/** @type {number[]} */ q) => ({
+      kind: 'pose',
+      ...poseInUnits(tcpPose(compileRobot(robot), compilePosture(robot, away(q))), robot.units),
+    });
+    const steps = /** @type {StepDoc[]} */ ([
+      { id: 'a', target: { kind: 'posture', values: away(from) }, ...byJoints },
+      ...(to && !end ? [{ id: 'b', kind: 'linear', target: pose(to), ...byTool }] : []),
+      ...(end ? [{ id: 'b', kind: 'circular', via: pose(to), target: pose(end), ...byTool }] : []),
+    ]);
+    const doc = { ...home, motionPrograms: [{ id: 'm', name: 'Off', steps }] };
+    const [write, brand] = WRITERS[writer];
+    const { made } = neutralProgram(doc, doc.motionPrograms[0], { brand, ...WRITTEN });
+    if (made?.moves.length !== steps.length) throw new Error(`Expected ${arm} to do it.`);
+    const matches = (/** @type {number} */ by) => {
+      const { program } = made;
+      const wrong = program.steps.map((step, i) => {
+        if (step.kind !== 'move' || i < program.steps.length - 1) return step;
+        const { joints, position } = step.target;
+        const [ours, theirs] = [joints, position].map((values) => values.with(number, values[number] + by));
+        return { ...step, target: { ...step.target, joints: ours, position: theirs } };
+      });
+      return verifyCode(doc, made, write({ ...program, steps: wrong }).files).matches;
+    };
+    expect([arm, matches(0), matches(off), matches(-off)]).toEqual([arm, true, false, false]);
   }
 });
 

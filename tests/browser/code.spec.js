@@ -160,8 +160,11 @@ test('a TP program shows where its lines lead, waits for an input, and runs on w
   await page.getByRole('button', { name: 'Step back' }).click();
   await expect(page.locator('.code-next-line')).toContainText('L PR[1:here]');
   await page.getByLabel('PR[2] Z').fill('100');
+  await page.getByLabel('Another register').fill('r 7');
+  await page.keyboard.press('Enter');
+  await page.getByLabel('R[7]', { exact: true }).fill('3');
   await page.getByRole('button', { name: 'Variables' }).click();
-  await page.getByLabel('Watch an expression').fill('PR[2,3]-PR[1,3]>100');
+  await page.getByLabel('Watch an expression').fill('PR[2,3]-PR[1,3]>100 AND R[7]=3');
   await page.keyboard.press('Enter');
   await expect(page.getByRole('row', { name: /^PR\[2,3\]-PR\[1,3\]>100/ })).toContainText('ON');
   await settled(page);

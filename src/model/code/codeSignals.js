@@ -97,6 +97,23 @@ export function registersNamed(programs) {
   });
 }
 
+/** Of position registers a controller has no more; of others fewer. */
+const MOST_REGISTERS = 2000;
+
+/**
+ * A register as a person types it; null where it is none.
+ * @example
+ * registerTyped('pr 12') // → { bank: 'PR', index: 12 }
+ * @param {string} text
+ * @returns {{ bank: 'R' | 'PR', index: number } | null}
+ */
+export function registerTyped(text) {
+  const [, bank, digits] = /^\s*(P?R)\s*\[?\s*(\d{1,5})\s*\]?\s*$/i.exec(text) ?? [];
+  const index = Number(digits);
+  if (!bank || index < 1 || index > MOST_REGISTERS) return null;
+  return { bank: /** @type {'R' | 'PR'} */ (bank.toUpperCase()), index };
+}
+
 /** What programs call registers: `R[1:count]`. @param {readonly ProgramDoc[]} programs @returns {Map<string, string>} by bank and index */
 export function registerComments(programs) {
   /** @type {Map<string, string>} */

@@ -8,7 +8,7 @@
  *
  * @typedef {Omit<ShownRegister, 'numbers'> & { numbers: readonly (number | null)[] }} Shown  null: no value
  */
-import { registerComments, registersNamed } from '../../model/code/codeSignals.js';
+import { registerComments, registersNamed, registerTyped } from '../../model/code/codeSignals.js';
 import { memo } from '../../model/memo.js';
 import { fill, h, keepFocus } from '../parts/dom.js';
 import { CODE } from '../words/code.js';
@@ -19,13 +19,46 @@ const SIX = CARTESIAN.length;
 /** @param {RunControl} control */
 export function createRegisterList(control) {
   const list = h('ul', { class: 'code-registers' });
+  const input = h('input', {
+    ...{ type: 'text', class: 'form-control', 'aria-label': CODE.otherRegister, placeholder: CODE.otherRegister },
+    ...{ autocomplete: 'off', spellcheck: 'false' },
+  });
+  const reason = h('p', { class: 'reason', role: 'status', hidden: true });
+  const form = h(
+    'form',
+    { class: 'code-watch', novalidate: '' },
+    input,
+    h('button', { type: 'submit', class: 'btn btn-outline' }, CODE.showRegister),
+  );
   const element = h(
     'div',
-    { class: 'code-scroll', tabindex: 0, role: 'group', 'aria-label': CODE.parts.registers },
-    list,
+    {},
+    h('div', { class: 'code-scroll', tabindex: 0, role: 'group', 'aria-label': CODE.parts.registers }, list),
+    reason,
+    form,
   );
   const commentsOf = memo(registerComments);
   const namedIn = memo(registersNamed);
+  /** Those that no program names by its number, and that a person wants to see. @type {ReturnType<typeof registersNamed>} */
+  let wanted = [];
+  /** @type {readonly ProgramDoc[]} */
+  let drawnFor = [];
+
+  form.addEventListener('submit', (event) => {
+    event.preventDefault();
+    const run = control.run();
+    const found = registerTyped(input.value);
+    const isWrong = found === null && input.value.trim() !== '';
+    input.setAttribute('aria-invalid', String(isWrong));
+    reason.hidden = !isWrong;
+    reason.textContent = isWrong ? CODE.noSuchRegister(input.value.trim().slice(0, 40)) : '';
+    if (isWrong) form.scrollIntoView({ block: 'nearest' });
+    if (!found || !run) return;
+    wanted = [...wanted, found];
+    input.value = '';
+    draw(run, drawnFor);
+    list.querySelector(`[data-index="${found.bank}[${found.index}] 0"]`)?.scrollIntoView({ block: 'nearest' });
+  });
 
   list.addEventListener('change', ({ target }) => {
     if (!(target instanceof HTMLInputElement)) return;
@@ -37,32 +70,35 @@ export function createRegisterList(control) {
   });
 
   let drawn = '';
-  return {
-    element,
-    /** @param {CodeRun} run @param {readonly ProgramDoc[]} programs */
-    draw(run, programs) {
-      const registers = withUnset(run.registers(), namedIn(programs));
-      const isLocked = control.mode() === 'running';
-      const key = JSON.stringify([registers, isLocked]);
-      if (key === drawn) return;
-      drawn = key;
-      const comments = commentsOf(programs);
-      keepFocus(list, 'input', () =>
-        fill(
-          list,
-          registers.length === 0 && h('li', { class: 'soft' }, CODE.noRegisters),
-          registers.map((one) => row(one, comments.get(`${one.bank}[${one.index}]`) ?? '', isLocked)),
-        ),
-      );
-    },
-  };
+  /** @param {CodeRun} run @param {readonly ProgramDoc[]} programs */
+  function draw(run, programs) {
+    drawnFor = programs;
+    const registers = withUnset(run.registers(), [...namedIn(programs), ...wanted]);
+    const isLocked = control.mode() === 'running';
+    const key = JSON.stringify([registers, isLocked]);
+    if (key === drawn) return;
+    drawn = key;
+    const comments = commentsOf(programs);
+    keepFocus(list, 'input', () =>
+      fill(
+        list,
+        registers.length === 0 && h('li', { class: 'soft' }, CODE.noRegisters),
+        registers.map((one) => row(one, comments.get(`${one.bank}[${one.index}]`) ?? '', isLocked)),
+      ),
+    );
+  }
+  return { element, draw };
 }
 
 const BANKS = ['R', 'PR', 'SR'];
 
 /** With those that programs name, and that have no value yet. @param {readonly ShownRegister[]} held @param {ReturnType<typeof registersNamed>} named @returns {Shown[]} */
 function withUnset(held, named) {
-  const unset = named.filter(({ bank, index }) => !held.some((one) => one.bank === bank && one.index === index));
+  const isSame = (/** @type {{ bank: string, index: number }} */ a, /** @type {{ bank: string, index: number }} */ b) =>
+    a.bank === b.bank && a.index === b.index;
+  const unset = named.filter(
+    (one, i) => !held.some((other) => isSame(one, other)) && named.findIndex((other) => isSame(one, other)) === i,
+  );
   const empty = { value: '', configuration: '' };
   return [
     ...held,

@@ -108,6 +108,10 @@ export const CODE = {
   addWatch: 'Watch',
   unwatch: (/** @type {string} */ text) => `Watch ${text} no longer`,
   noRegisters: 'No register has a value yet.',
+  otherRegister: 'Another register: R[5], PR[12]',
+  showRegister: 'Show',
+  noSuchRegister: (/** @type {string} */ got) =>
+    `Expected a register such as R[5] or PR[12], numbered from 1 to 2000; got “${got}”.`,
   unset: 'none',
   stack: 'Where it is',
   signals: 'Signals',

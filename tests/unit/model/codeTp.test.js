@@ -10,7 +10,7 @@ import { planOfMove } from '../../../src/model/code/codeMoves.js';
 import { createCodeRun } from '../../../src/model/code/codeRun.js';
 import { atOnce } from '../../../src/model/inSlices.js';
 import { verifyInSlices } from '../../../src/model/controller/verifyCode.js';
-import { registersNamed } from '../../../src/model/code/codeSignals.js';
+import { registersNamed, registerTyped } from '../../../src/model/code/codeSignals.js';
 import { createGivenRegisters } from '../../../src/model/code/givenRegisters.js';
 import { compileRobot } from '../../../src/model/compile.js';
 import { newDocument } from '../../../src/model/newDocument.js';
@@ -76,6 +76,16 @@ END n_of
 );
 const MOVER = tp('mover', ['R[2:count]=R[1]+1', 'CALL LAST(5)', 'DO[3:done]=ON']);
 const LAST = tp('last', ['R[3]=AR[1]*2']);
+
+test('a register is typed as on a pendant, or shorter', () => {
+  expect(['R[5]', 'pr 12', ' PR[2000] '].map(registerTyped)).toEqual([
+    { bank: 'R', index: 5 },
+    { bank: 'PR', index: 12 },
+    { bank: 'PR', index: 2000 },
+  ]);
+  for (const text of ['', '5', 'R[0]', 'R[-1]', 'R[1.5]', 'PR[2001]', 'SR[1]', 'R[R[4]]', 'R[99999]'])
+    expect(registerTyped(text)).toBeNull();
+});
 
 test('KAREL calls TP, which calls TP: each stops in its own file, with those that wait for it', () => {
   const run = runOf([FILLER, MOVER, LAST]);

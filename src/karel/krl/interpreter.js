@@ -166,8 +166,10 @@ function moveEffect({ motion, target: point, approximation }, target, via, set) 
 /** @param {KrlDatum} datum @returns {{ values: number[], isJoint: boolean, status?: number, turn?: number } | null} */
 function valuesOf({ type, members }) {
   if (/AXIS$/.test(type)) {
-    const values = Object.entries(members).flatMap(([name, value]) => (/^A\d$/.test(name) ? [value] : []));
-    return { values, isJoint: true };
+    // by their names, in whatever order; A1 and A3 alone are no two axes
+    const names = Object.keys(members).filter((name) => /^A\d$/.test(name));
+    const values = names.map((_, i) => members[`A${i + 1}`]);
+    return values.includes(/** @type {never} */ (undefined)) ? null : { values, isJoint: true };
   }
   const values = ['X', 'Y', 'Z', 'C', 'B', 'A'].map((name) => members[name]);
   if (values.includes(/** @type {never} */ (undefined))) return null;

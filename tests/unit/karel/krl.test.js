@@ -148,6 +148,11 @@ test('positions may stand in braces at the motion itself; what lacks members, or
     { motion: 'C', via: [4, 5, 6, 0, 0, 0, 0, 0, 0, 0], position: [7, 8, 9, 0, 0, 0, 0, 0, 0, 0] },
   ]);
   expect(next.value).toMatchObject({ status: 'alarm', alarm: { line: 6, reason: 'a position lacks members' } });
+  const axes = (/** @type {string} */ place) =>
+    runKrl(parseKrl(`DEF p ( )\nPTP ${place}\nEND`).tree, { input: () => true }).next().value;
+  expect(axes('{A2 -90,A3 90.5,A1 7}')).toMatchObject({ position: [7, -90, 90.5] });
+  for (const place of ['{A0 7,A2 -90,A3 90.5}', '{A1 7,A3 90.5,A4 3}'])
+    expect(axes(place)).toMatchObject({ alarm: { reason: 'a position lacks members' } });
   for (const wrong of ['PTP {A1}', 'LIN {X 1,Y {Z 2}}', 'PTP {}', 'LIN_REL {X 1}', 'PTP {X 1'])
     expect([wrong, parseKrl(`DEF p ( )\n${wrong}\nEND`).diagnostics.length]).toEqual([wrong, 1]);
 });

@@ -10,9 +10,11 @@
  * @import { CodeFile } from '../../karel/write/neutral.js'
  * @import { SystemValues } from '../code/codeFrames.js'
  * @import { RegisterSetting } from '../code/givenRegisters.js'
+ * @import { Deed, Where } from './deeds.js'
  *
  * @typedef {{ severity: 'error' | 'warning', code: string, message: string, file: string, line: number }} CodeFinding
  * @typedef {{ effects: Effect[], findings: CodeFinding[] }} CodeRun
+ * @typedef {(deed: Deed, where: Where) => void} OnDeed
  *
  * @typedef {object} SimulatedArm   where it is by now, as a pendant counts
  * @property {() => readonly number[]} joints
@@ -33,6 +35,7 @@ import { checkTp } from '../../karel/tp/checker.js';
 import { parseTpInSlices } from '../../karel/tp/parser.js';
 import { nameOf } from '../../karel/tp/tree.js';
 import { comingInputs } from '../code/comingInputs.js';
+import { deedsOfKrl, watchDeeds } from './deeds.js';
 import { setRegister } from '../code/givenRegisters.js';
 import { moveSettings } from './moveSettings.js';
 
@@ -53,18 +56,19 @@ export function runCode(files) {
  * @param {readonly CodeFile[]} files   the first is the one that is run
  * @param {CodeFinding[]} findings      are added to
  * @param {SimulatedArm} [arm]
+ * @param {OnDeed} [onDeed]   hears what is done between moves, before the next of them comes
  * @returns {Generator<Effect | null, void>}   of KAREL's MOVE as it would stand in TP, and itself as `raw`; `system` of FANUC; null: it
  *   is still at what comes before a move
  */
-export const runMoves = (files, findings, arm) =>
-  files[0].language === 'krl' ? runKrlFiles(files, findings) : runFanucFiles(files, findings, arm);
+export const runMoves = (files, findings, arm, onDeed) =>
+  files[0].language === 'krl' ? runKrlFiles(files, findings, onDeed) : runFanucFiles(files, findings, arm, onDeed);
 
 /** @param {string} file @param {readonly Diagnostic[]} diagnostics @returns {CodeFinding[]} */
 const findingsOf = (file, diagnostics) =>
   diagnostics.map(({ severity, code, message, span }) => ({ severity, code, message, file, line: span.line }));
 
-/** @param {readonly CodeFile[]} files @param {CodeFinding[]} findings @returns {Generator<Effect, void>} */
-function* runKrlFiles(files, findings) {
+/** @param {readonly CodeFile[]} files @param {CodeFinding[]} findings @param {OnDeed} [onDeed] @returns {Generator<Effect, void>} */
+function* runKrlFiles(files, findings, onDeed) {
   const src = files.find(({ name }) => /\.src$/i.test(name)) ?? files[0];
   const dat = files.find(({ name }) => /\.dat$/i.test(name));
   const { tree, diagnostics, datDiagnostics } = parseKrl(src.text, dat?.text);
@@ -82,6 +86,12 @@ function* runKrlFiles(files, findings) {
     );
   const run = runKrl(tree, { input: (_, time) => Math.floor(time / 12) % 2 === 1 });
   let next = run.next();
+  const deeds = deedsOfKrl(tree);
+  let moves = 0;
+  const tell = () => {
+    for (const { deed, line } of deeds.filter(({ after }) => after === moves)) onDeed?.(deed, { file: src.name, line });
+    moves++;
+  };
   // Inputs are taken to come at once.
   for (let count = 0; !next.done && count < STEPS; next = run.next(), count++) {
     const effect = next.value;
@@ -95,16 +105,18 @@ function* runKrlFiles(files, findings) {
         file: src.name,
         line: effect.line ?? 0,
       });
+    tell();
     yield { ...effect, hasStatus: effect.status !== undefined, file: src.name };
   }
+  if (next.done && !next.value.alarm) tell();
   if (next.done && next.value.alarm) {
     const { code, reason, line } = next.value.alarm;
     findings.push({ severity: 'error', code, message: reason, file: src.name, line });
   }
 }
 
-/** @param {readonly CodeFile[]} files @param {CodeFinding[]} findings @param {SimulatedArm} [arm] @returns {Generator<Effect | null, void>} */
-function* runFanucFiles(files, findings, arm) {
+/** @param {readonly CodeFile[]} files @param {CodeFinding[]} findings @param {SimulatedArm} [arm] @param {OnDeed} [onDeed] @returns {Generator<Effect | null, void>} */
+function* runFanucFiles(files, findings, arm, onDeed) {
   /** @type {Record<string, Program>} */
   const karel = {};
   /** @type {Record<string, TpListing>} */
@@ -189,14 +201,17 @@ function* runFanucFiles(files, findings, arm) {
   const run = goOn(controller);
   let count = 0;
   let at = { file: main, line: 0 };
+  const deeds = onDeed && !controller.refusal ? watchDeeds(memoryOf(controller), (deed) => onDeed(deed, at)) : null;
   let next = run.next();
   for (; !next.done; next = run.next()) {
     const effect = next.value;
     if (effect.kind === 'step') {
+      deeds?.flush();
       at = { file: fileIn(effect.file, fileOf.get(String(effect.in)) ?? main), line: effect.line ?? 0 };
       if (++count % TURN === 0) yield null;
       continue;
     }
+    deeds?.note(effect);
     const file = fileIn(effect.file, fileOf.get(String(effect.in)) ?? main);
     if (effect.kind === 'write' && /TPERROR|OUTPUT/.test(String(effect.device ?? '')))
       findings.push({
@@ -236,6 +251,7 @@ function* runFanucFiles(files, findings, arm) {
       };
     } else yield { ...effect, system: system(), file };
   }
+  deeds?.flush();
   const { status, alarm, diagnostics = [], program } = next.value;
   const file = fileIn(alarm?.file, fileOf.get(program.toUpperCase()) ?? main);
   if (alarm) findings.push({ severity: 'error', code: alarm.code, message: alarm.reason, file, line: alarm.line });

@@ -5,6 +5,7 @@
  * @import { Doc } from '../document.js'
  * @import { CodeMove } from './codeMoves.js'
  * @import { MadeProgram } from './neutralProgram.js'
+ * @import { Deed, FoundDeed, Where } from './deeds.js'
  * @import { CodeFinding } from './runCode.js'
  * @import { Deviation, MoveMargins } from './moveMargins.js'
  * @import { SystemValues } from '../code/codeFrames.js'
@@ -35,6 +36,7 @@ import { atOnce } from '../inSlices.js';
 import { compared, lostText } from './compareMoves.js';
 import { pendantValues } from './controllerValues.js';
 import { decimalsCost, mostOf } from './decimalsCost.js';
+import { deedDifferences, deedsOf } from './deeds.js';
 import { effectMoves } from './effectMoves.js';
 import { controllerFrames } from './frameNumbers.js';
 import { moveMargins } from './moveMargins.js';
@@ -74,6 +76,8 @@ export function* verifyInSlices(doc, made, files, start = doc.posture, given = [
   const largest = { millimetres: 0, degrees: 0 };
   let /** @type {Float64Array} */ from = compilePosture(doc.robot, start);
   let isSame = true;
+  /** @type {FoundDeed[]} */
+  const deeds = [];
   /** What the decimals of the move before leave open of the posture. @type {readonly Float64Array[]} */
   let loose = [];
   /** And of where the tool is. */
@@ -90,7 +94,9 @@ export function* verifyInSlices(doc, made, files, start = doc.posture, given = [
     system: language === 'fanuc' ? systemAtFirst(doc, frames) : {},
     given,
   };
-  for (const effect of runMoves(files, findings, arm)) {
+  /** @param {Deed} deed @param {Where} where */
+  const noteDeed = (deed, where) => void deeds.push({ deed, where, after: moves.length });
+  for (const effect of runMoves(files, findings, arm, noteDeed)) {
     yield made ? Math.min(1, moves.length / made.moves.length) : 1 - 1 / (1 + moves.length / SOME);
     if (effect === null) continue;
     const file = typeof effect.file === 'string' ? effect.file : files[0].name;
@@ -139,6 +145,15 @@ export function* verifyInSlices(doc, made, files, start = doc.posture, given = [
       for (const [code, message] of concerns(done, margins, letters)) find('warning', code, message);
       letters = done.configuration?.split(',')[0] ?? letters;
     }
+  }
+  if (made && isSame) {
+    for (const { message, where } of deedDifferences(deeds, deedsOf(made.program.steps), moves))
+      findings.push({
+        severity: 'error',
+        code: 'differs',
+        message: `This is not as in the program: ${message}.`,
+        ...where,
+      });
   }
   if (made && moves.length !== made.moves.length)
     findings.push({

@@ -159,6 +159,7 @@ function moveEffect({ motion, target: point, approximation }, target, via, set) 
       way === undefined
         ? { kind: 'FINE' }
         : { kind: way === 'C_DIS' || approximation[1] === 'C_DIS' ? 'DIS' : 'CNT', value },
+    ...(motion === 'PTP' && set.ACC_PTP !== undefined && { acceleration: set.ACC_PTP }),
     ...{ userFrame: set.BASE, toolFrame: set.TOOL },
   };
 }

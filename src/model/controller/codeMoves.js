@@ -20,6 +20,7 @@
  * @property {boolean} isJoint
  * @property {Float64Array} T_base_said   the tool's pose that the target says, which an arm with few joints may be beside
  * @property {{ kind: string, value?: number }} ending
+ * @property {number | null} acceleration   %; null where the language does not say
  * @property {readonly number[] | null} via    of a circular move: the numbers of the point on the way
  * @property {boolean} viaIsJoint
  * @property {string | null} configuration   that it asks for
@@ -90,6 +91,7 @@ export function codeMove(doc, frames, from, effect, isCompared = false) {
     ...{ line: read.line ?? 0, motion, kernel: asReached(kernel, followed) },
     ...{ followed, speed: read.speed, ending: read.termination },
     ...{ userFrame: read.userFrame, tool: read.toolFrame, isJoint: read.isJoint },
+    acceleration: read.acceleration ?? (read.hasStatus === undefined ? 100 : null), // TP is silent of 100
     ...{ T_base_said: T_target, via: read.via ?? null, viaIsJoint: read.viaIsJoint === true },
     configuration: read.isJoint ? null : (asked?.text ?? null),
   };
@@ -117,6 +119,7 @@ function asReached(kernel, { chain, path, way }) {
  * @property {number} [status]   of KRL
  * @property {number} [turn]
  * @property {boolean} [hasStatus]
+ * @property {number} [acceleration]
  * @property {number} [line]
  */
 

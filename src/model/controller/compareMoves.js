@@ -103,6 +103,9 @@ function differences(done, wanted, deviations, costs, language) {
     if (!isSpeed(done, move.speed.value) && !isSpeed(done, allowed(move, language)))
       list.push(`a speed of ${done.speed.value} ${done.speed.unit}, not ${move.speed.value}`);
   } else if (language === 'fanuc') list.push(`a speed in ${done.speed.unit}, not in ${move.speed.unit}`);
+  const acceleration = Math.max(1, Math.round(move.acceleration));
+  if (done.acceleration !== null && Math.abs(done.acceleration - acceleration) > HALF)
+    list.push(`an acceleration of ${done.acceleration}%, not ${acceleration}%`);
   const stops = done.ending.kind === 'FINE';
   if (stops !== (move.ending.kind === 'fine')) list.push(stops ? 'it stops at the end' : 'it does not stop at the end');
   else if (

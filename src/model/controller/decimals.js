@@ -78,7 +78,10 @@ export function asTwists(chain, q, changes) {
   });
 }
 
-/** How many directions the search for the worst looks in first, besides those of the changes themselves. */
+/** So many changes are paired: joints, of whose corners the worst is found. */
+const MOST_PAIRED = 6;
+
+/** Directions that the search for the worst looks in first, besides those of the changes themselves and those square to two of them. */
 const DIAGONALS = [
   [1, 1, 1],
   [1, 1, -1],
@@ -96,7 +99,9 @@ const DIAGONALS = [
  */
 export function worstSigns(up, down, first) {
   let best = { signs: up.map(() => 1), size: 0 };
-  const starts = [...DIAGONALS, ...up.map((v) => [v[first], v[first + 1], v[first + 2]])];
+  const own = up.map((v) => [v[first], v[first + 1], v[first + 2]]);
+  const square = own.slice(0, MOST_PAIRED).flatMap((a, i) => own.slice(i + 1, MOST_PAIRED).map((b) => cross(a, b)));
+  const starts = [...DIAGONALS, ...own, ...square];
   for (let direction of starts) {
     for (let size = -1; ;) {
       const along = (/** @type {ArrayLike<number>} */ v) =>
@@ -111,3 +116,6 @@ export function worstSigns(up, down, first) {
   }
   return best;
 }
+
+/** @param {readonly number[]} a @param {readonly number[]} b */
+const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x];

@@ -53,4 +53,5 @@ const asSaid = (move, effect) => ({
   ...{ userFrame: Number(effect.userFrame), tool: Number(effect.toolFrame) },
   speed: /** @type {CodeMove['speed']} */ (effect.speed),
   ending: /** @type {CodeMove['ending']} */ (effect.termination),
+  acceleration: null,
 });

@@ -1,4 +1,4 @@
-/** What code does between its moves, beside its program: outputs, inputs, waits and calls, each digit and word of them. */
+/** What code does beside its program between its moves: outputs, inputs, waits and calls, each digit and word of them; and accelerations. */
 import { expect, test } from 'vitest';
 import { verifyCode } from '../../../src/model/controller/verifyCode.js';
 import { LIBRARY, newDocument } from '../../../src/model/library.js';
@@ -36,7 +36,9 @@ const CHANGES = [
   [/\b((?:DI|DIN)\[7\] ?= ?)ON/, '$1OFF'],
   [/\$IN\[7\]==TRUE/, '$IN[7]==FALSE'],
   [/0\.52/, '0.62'],
-  [/DELAY 520/, 'DELAY 530'],
+  [/DELAY 520/, 'DELAY 550'],
+  [/ACC50/, 'ACC60'],
+  [/ACC_PTP,50/, 'ACC_PTP,60'],
   [/(CALL |CALL_PROG\('|\n)grip2/i, '$1grip3'],
 ];
 

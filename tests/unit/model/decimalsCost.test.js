@@ -60,9 +60,9 @@ const farthest = (T, others) => {
     degrees: Math.max(...off.map(([, , , x, y, z]) => Math.hypot(x, y, z))) / toKernel('angle', 1, UNITS),
   };
 };
-const expectAlike = (/** @type {number} */ cost, /** @type {number} */ worst) => {
-  expect(cost).toBeGreaterThan(Math.min(0.5, 0.99 * worst));
-  expect(cost).toBeLessThan(1.02 * worst + 1e-9);
+const expectAlike = (/** @type {number} */ cost, /** @type {number} */ worst, most = 1.02) => {
+  expect(cost).toBeGreaterThanOrEqual(Math.min(0.5, 0.99 * worst));
+  expect(cost).toBeLessThan(most * worst + 1e-9);
   expect(cost).toBeLessThanOrEqual(1);
 };
 
@@ -153,8 +153,8 @@ test.each(['abb_irb120', 'kuka_kr6_r900', 'puma560'])(
             tcpPose(chain, postureAlong(path, part)),
             ends.map((q) => between(q, part)),
           );
-          expectAlike(along[k].millimetres, worst.millimetres);
-          expectAlike(along[k].degrees, worst.degrees);
+          expectAlike(along[k].millimetres, worst.millimetres, 1.07);
+          expectAlike(along[k].degrees, worst.degrees, 1.07);
         }
       }),
       { seed: SEED, numRuns: runs(3) },

@@ -118,6 +118,7 @@ export function* runTurns(machine) {
       const alarm = /** @type {AlarmText} */ (fault);
       if (failed === 0) return { status: 'alarm', state, alarm };
       yield { kind: 'alarm', task: name, line: alarm.line, alarm };
+      continue; // as from a state that is put back: others may have had their turn meanwhile
     }
     if (state.steps >= most) return { status: 'budget', state };
     const turn = nextTask(state);

@@ -61,10 +61,11 @@ export function readPosition(text) {
   };
 }
 
-/** Joint values in the order of the axes, or null where it is Cartesian. @param {TpGroup} group @returns {(number | null)[] | null} */
+/** Joint values by their names in the order of the axes, null for one that is not there; null where it is Cartesian. @param {TpGroup} group @returns {(number | null)[] | null} */
 export function jointValues({ values }) {
   const joints = values.filter(({ name }) => /^J\d/.test(name));
-  return joints.length === 0 ? null : joints.map(({ value }) => value);
+  const named = (/** @type {string} */ name) => joints.find((one) => one.name === name)?.value ?? null;
+  return joints.length === 0 ? null : joints.map((_, i) => named(`J${i + 1}`));
 }
 
 /** X Y Z W P R, or null where one is missing. @param {TpGroup} group @returns {(number | null)[] | null} */

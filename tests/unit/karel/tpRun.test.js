@@ -128,6 +128,17 @@ test('a position in another frame or tool than the chosen one stops the program,
   expect(outcome).toMatchObject({ status: 'alarm', alarm: { code: 'frame-mismatch', line: 13, routine: 'DEMO' } });
 });
 
+test('joint values are told by their names, in whatever order; two of a name leave one untaught', () => {
+  const position = joints(1, [10, 20, 30, 40, 50, 60]);
+  const gone = (/** @type {string} */ text) =>
+    ran(listing(['  UFRAME_NUM=0', '  UTOOL_NUM=1', 'J P[1] 10% FINE   '], [text]));
+  const swapped = position.replace(/J1=(\s*[\d.]+ deg,)\s*J2=(\s*[\d.]+ deg)/, 'J2=$1 J1=$2');
+  expect(swapped).not.toBe(position);
+  expect(gone(position).moves).toMatchObject([{ position: [10, 20, 30, 40, 50, 60] }]);
+  expect(gone(swapped).moves).toMatchObject([{ position: [20, 10, 30, 40, 50, 60] }]);
+  expect(gone(position.replace('J1=', 'J2=')).outcome).toMatchObject({ alarm: { code: 'uninitialised' } });
+});
+
 test('waiting: time, inputs, edges, and the way out of waiting', () => {
   const host = {
     onScan: (/** @type {import('../../../src/karel/run/machine.js').State} */ state) =>

@@ -40,6 +40,8 @@ import { setRegister } from '../code/givenRegisters.js';
 import { moveSettings } from './moveSettings.js';
 
 const STEPS = 200_000;
+/** What is set of another motion group than the first, which is the arm. */
+const OF_OTHER_GROUPS = /\$GROUP\[(?!\s*1\s*\])[^\]]*\]\.\$U(FRAME|TOOL)/g;
 /** Statements between two looks at the clock. */
 const TURN = 100;
 
@@ -234,7 +236,8 @@ function* runFanucFiles(files, findings, arm, onDeed) {
       if (!framed.has(file)) {
         framed.add(file);
         const text = files.find(({ name }) => name === file)?.text ?? '';
-        const missing = ['$UTOOL', '$UFRAME'].filter((frame) => !text.toUpperCase().includes(frame));
+        const own = text.toUpperCase().replace(OF_OTHER_GROUPS, '');
+        const missing = ['$UTOOL', '$UFRAME'].filter((frame) => !own.includes(frame));
         findings.push(...unsetFrames(missing, file, effect.line));
       }
       const settings = moveSettings(effect, system());

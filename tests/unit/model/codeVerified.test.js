@@ -1,5 +1,6 @@
 /** What verification finds in code: altered digits, other postures, frames, speeds and corners, each on its line; and certificates. */
 import { expect, test } from 'vitest';
+import { writeKarelMove } from '../../../src/karel/write/karelMove.js';
 import { writeTp } from '../../../src/karel/write/tp.js';
 import { certificateStatus, readCertificate, withCertificate } from '../../../src/model/controller/certificate.js';
 import { valuesInside } from '../../../src/model/controller/insideLimits.js';
@@ -230,6 +231,18 @@ test('code of a person is run from where the arm is, and looked at without a pro
   const lift = verifyCode(doc, null, [tp]);
   expect(lift.moves).toHaveLength(1);
   expect(lift.findings.map(({ code, line }) => [code, line])).toEqual([['frames', 7]]);
+});
+
+test('frames that a MOVE sets of another group are not those of the arm', () => {
+  const { doc, made } = fixed('fanuc_m10ia', 'fanuc');
+  const [file] = writeKarelMove(made.program).files;
+  const missing = (/** @type {string} */ text) =>
+    verifyCode(doc, made, [{ ...file, text }])
+      .findings.filter(({ code }) => code === 'frames')
+      .map(({ message }) => message.split(' are ')[0].split(' is ')[0]);
+  expect(missing(file.text)).toEqual([]);
+  expect(missing(file.text.replaceAll('$GROUP[1].$UFRAME', '$GROUP[2].$UFRAME'))).toEqual(['$UFRAME']);
+  expect(missing(file.text.replaceAll('$GROUP[1]', '$GROUP[2]'))).toEqual(['$UTOOL and $UFRAME']);
 });
 
 test('a joint at its limit is written to the inside of it, however the pendant counts, and no further than a decimal', () => {

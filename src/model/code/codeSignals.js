@@ -13,7 +13,7 @@
  * @property {boolean | number} value
  */
 import { BOOLEAN_PORTS, INTEGER_PORTS } from '../../karel/ports.js';
-import { PORTS } from '../../karel/tp/run/memory.js';
+import { MAX_REGISTERS, PORTS } from '../../karel/tp/run/memory.js';
 
 const TP_NAMES = new Map(Object.entries(PORTS).map(([short, port]) => [port, short]));
 const INPUTS = /^(IN|DIN|RDI|UIN|OPIN|GIN|AIN|WDI|WDIN|TPIN|LDI|LAI|FLG|MRK)$/;
@@ -97,9 +97,6 @@ export function registersNamed(programs) {
   });
 }
 
-/** Of position registers a controller has no more; of others fewer. */
-const MOST_REGISTERS = 2000;
-
 /**
  * A register as a person types it; null where it is none.
  * @example
@@ -110,7 +107,7 @@ const MOST_REGISTERS = 2000;
 export function registerTyped(text) {
   const [, bank, digits] = /^\s*(P?R)\s*\[?\s*(\d{1,5})\s*\]?\s*$/i.exec(text) ?? [];
   const index = Number(digits);
-  if (!bank || index < 1 || index > MOST_REGISTERS) return null;
+  if (!bank || index < 1 || index > MAX_REGISTERS) return null;
   return { bank: /** @type {'R' | 'PR'} */ (bank.toUpperCase()), index };
 }
 

@@ -7,6 +7,7 @@
  *
  * @typedef {'programName' | 'firstRegister' | 'speed'} OptionField
  */
+import { MAX_REGISTERS } from '../../karel/tp/run/memory.js';
 import { fanucNameFault } from '../../karel/fanucNames.js';
 import { NAMES } from '../../karel/write/karelMove.js';
 import { OWN } from '../../karel/write/karelParts.js';
@@ -14,7 +15,6 @@ import { krlNameFault } from '../../karel/write/krl.js';
 import { shown } from '../refusalParts.js';
 import { sourceKey } from './codeSource.js';
 import { frameKey } from './frameNumbers.js';
-import { MAX_REGISTERS } from './writeCode.js';
 
 const OWN_NAMES = [...Object.values(OWN), ...Object.values(NAMES)];
 

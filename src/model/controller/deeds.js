@@ -104,9 +104,9 @@ export function watchDeeds({ ports }, onDeed) {
  * @returns {{ message: string, where: Where }[]}
  */
 export function deedDifferences(found, wanted, moves) {
+  const [done, toDo] = [byGap(found), byGap(wanted)];
   return Array.from({ length: moves.length + 1 }, (_, after) => after).flatMap((after) => {
-    const here = found.filter((one) => one.after === after && isLong(one.deed));
-    const asked = wanted.filter((one) => one.after === after && isLong(one.deed));
+    const [here, asked] = [done.get(after) ?? [], toDo.get(after) ?? []];
     const at = Array.from({ length: Math.max(here.length, asked.length) }, (_, i) => i).find(
       (i) => !isSame(here[i]?.deed, asked[i]?.deed),
     );
@@ -115,6 +115,19 @@ export function deedDifferences(found, wanted, moves) {
     const where = one?.where ?? moves[Math.min(after, moves.length - 1)];
     return [{ where, message: `${one ? said(one.deed) : 'nothing'}, not ${other ? said(other.deed) : 'anything'}` }];
   });
+}
+
+/** Those that are compared, by how many moves come before. @template {{ deed: Deed, after: number }} One @param {readonly One[]} deeds */
+function byGap(deeds) {
+  /** @type {Map<number, One[]>} */
+  const gaps = new Map();
+  for (const one of deeds) {
+    const gap = gaps.get(one.after);
+    if (!isLong(one.deed)) continue;
+    if (gap) gap.push(one);
+    else gaps.set(one.after, [one]);
+  }
+  return gaps;
 }
 
 /** @param {Deed} deed */

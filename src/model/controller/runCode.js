@@ -89,9 +89,9 @@ function* runKrlFiles(files, findings, onDeed) {
   const run = runKrl(tree, { input: (_, time) => Math.floor(time / 12) % 2 === 1 });
   let next = run.next();
   const deeds = deedsOfKrl(tree);
-  let moves = 0;
+  let [moves, told] = [0, 0];
   const tell = () => {
-    for (const { deed, line } of deeds.filter(({ after }) => after === moves)) onDeed?.(deed, { file: src.name, line });
+    for (; deeds[told]?.after === moves; told++) onDeed?.(deeds[told].deed, { file: src.name, line: deeds[told].line });
     moves++;
   };
   // Inputs are taken to come at once.

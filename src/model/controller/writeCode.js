@@ -32,6 +32,7 @@
  * @property {readonly Issue[]} issues
  * @property {MadeProgram | null} made
  */
+import { MAX_REGISTERS } from '../../karel/tp/run/memory.js';
 import { writeKarelMoveInSlices } from '../../karel/write/karelMove.js';
 import { writeKrlInSlices } from '../../karel/write/krl.js';
 import { LARGEST_VALUE } from '../../karel/write/neutral.js';
@@ -52,9 +53,6 @@ export const FORMATS = {
   'karel-move': { brand: 'fanuc', write: writeKarelMoveInSlices },
   krl: { brand: 'kuka', write: writeKrlInSlices },
 };
-
-/** Position registers that a controller can be set up for (HandlingTool operator's manual, section 19). */
-export const MAX_REGISTERS = 2000;
 
 /**
  * What code is to be held against: the moves of what it is, or was, written of.

@@ -143,7 +143,10 @@ export function createCodeRoom(page, host, { openProgram, onAdded, version, toda
         const isSound = !found.some(({ severity }) => severity === 'error');
         previewer.ask(isSound ? id : null);
       },
-      onFault: messages.fault,
+      onFault(error) {
+        isChecking = false;
+        messages.fault(error);
+      },
     });
     if (isChecking) drawProblems();
   }

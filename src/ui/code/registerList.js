@@ -41,8 +41,8 @@ export function createRegisterList(control) {
   const namedIn = memo(registersNamed);
   /** Those that no program names by its number, and that a person wants to see. @type {ReturnType<typeof registersNamed>} */
   let wanted = [];
-  /** @type {readonly ProgramDoc[]} */
-  let drawnFor = [];
+  /** @type {[readonly ProgramDoc[], ProgramDoc['language']]} */
+  let drawnFor = [[], 'fanuc-tp'];
 
   form.addEventListener('submit', (event) => {
     event.preventDefault();
@@ -56,7 +56,7 @@ export function createRegisterList(control) {
     if (!found || !run) return;
     wanted = [...wanted, found];
     input.value = '';
-    draw(run, drawnFor);
+    draw(run, ...drawnFor);
     list.querySelector(`[data-index="${found.bank}[${found.index}] 0"]`)?.scrollIntoView({ block: 'nearest' });
   });
 
@@ -70,19 +70,21 @@ export function createRegisterList(control) {
   });
 
   let drawn = '';
-  /** @param {CodeRun} run @param {readonly ProgramDoc[]} programs */
-  function draw(run, programs) {
-    drawnFor = programs;
-    const registers = withUnset(run.registers(), [...namedIn(programs), ...wanted]);
+  /** @param {CodeRun} run @param {readonly ProgramDoc[]} programs @param {ProgramDoc['language']} language */
+  function draw(run, programs, language) {
+    drawnFor = [programs, language];
+    const hasNone = language === 'krl';
+    form.hidden = hasNone;
+    const registers = hasNone ? [] : withUnset(run.registers(), [...namedIn(programs), ...wanted]);
     const isLocked = control.mode() === 'running';
-    const key = JSON.stringify([registers, isLocked]);
+    const key = JSON.stringify([registers, isLocked, hasNone]);
     if (key === drawn) return;
     drawn = key;
     const comments = commentsOf(programs);
     keepFocus(list, 'input', () =>
       fill(
         list,
-        registers.length === 0 && h('li', { class: 'soft' }, CODE.noRegisters),
+        registers.length === 0 && h('li', { class: 'soft' }, hasNone ? CODE.noRegistersKrl : CODE.noRegisters),
         registers.map((one) => row(one, comments.get(`${one.bank}[${one.index}]`) ?? '', isLocked)),
       ),
     );

@@ -88,7 +88,7 @@ export function createRunView(host, control) {
       const hasWritten = control.mode() === 'over' && run.output() !== '';
       if (!chosenPart) open(hasWritten ? 'output' : program.language === 'fanuc-tp' ? 'registers' : 'variables');
       variables.draw(run);
-      registers.draw(run, programs);
+      registers.draw(run, programs, program.language);
       signals.draw(run, programs, program.language);
       const lines = [run.output(), ...control.said()].filter(Boolean).join('\n');
       if (output.textContent !== (lines || CODE.noOutput)) {

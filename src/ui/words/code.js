@@ -108,6 +108,7 @@ export const CODE = {
   addWatch: 'Watch',
   unwatch: (/** @type {string} */ text) => `Watch ${text} no longer`,
   noRegisters: 'No register has a value yet.',
+  noRegistersKrl: 'KRL has no registers.',
   otherRegister: 'Another register: R[5], PR[12]',
   showRegister: 'Show',
   noSuchRegister: (/** @type {string} */ got) =>

@@ -29,6 +29,9 @@
  */
 import { Alarm, number, record, single } from '../../run/values.js';
 
+/** Position registers that a controller can be set up for (HandlingTool operator's manual, section 19). */
+export const MAX_REGISTERS = 2000;
+
 /** By TP's names, KAREL's. */
 export const PORTS = /** @type {Readonly<Record<string, string>>} */ ({
   ...{ DI: 'DIN', DO: 'DOUT', RI: 'RDI', RO: 'RDO', GI: 'GIN', GO: 'GOUT', AI: 'AIN', AO: 'AOUT', F: 'FLG', M: 'MRK' },
